@@ -1,0 +1,27 @@
+// Where a file comes from; every output carries it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tidewater {
+
+struct Provenance {
+    std::string program;     // "tidewater-simulate"
+    std::string version;     // program_version()
+    std::string command;     // the command line without --threads, which cannot change a result
+    std::string scene_hash;  // hash_hex of the resolved scene's text
+    std::uint64_t seed = 0;
+};
+
+std::string program_version();
+
+// argv joined by blanks, with "--threads N" and "--threads=N" left out and argv[0] cut to its file name.
+std::string reproducible_command(int argc, const char* const* argv);
+
+// The fields as (name, text) in a fixed order, for writers of attributes and comment lines.
+std::vector<std::pair<std::string, std::string>> provenance_fields(const Provenance& provenance);
+
+}  // namespace tidewater
