@@ -1,0 +1,209 @@
+#include "io/hdf5_file.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/error.h"
+
+namespace tidewater::io {
+namespace {
+
+// 2^16 rows: 256 kB to 768 kB a chunk, which fits HDF5's default chunk cache of 1 MiB.
+constexpr hsize_t chunk_rows = 65536;
+
+Hdf5Handle timeless_properties(hid_t list_class) {
+    Hdf5Handle properties(H5Pcreate(list_class));
+    H5Pset_obj_track_times(properties.id(), false);
+    return properties;
+}
+
+Hdf5Handle array_properties(std::size_t rows, int components, Packing packing) {
+    Hdf5Handle properties = timeless_properties(H5P_DATASET_CREATE);
+    if (rows == 0) return properties;
+    const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, chunk_rows), static_cast<hsize_t>(components)};
+    H5Pset_chunk(properties.id(), components > 0 ? 2 : 1, chunk.data());
+    if (packing == Packing::deflate) {
+        H5Pset_shuffle(properties.id());
+        H5Pset_deflate(properties.id(), 1);
+    }
+    H5Pset_fletcher32(properties.id());
+    return properties;
+}
+
+}  // namespace
+
+Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
+    if (this != &other) {
+        close();
+        id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    }
+    return *this;
+}
+
+bool Hdf5Handle::close() {
+    const hid_t id = std::exchange(id_, H5I_INVALID_HID);
+    if (id < 0) return true;
+    switch (H5Iget_type(id)) {
+        case H5I_FILE:
+            return H5Fclose(id) >= 0;
+        case H5I_GROUP:
+            return H5Gclose(id) >= 0;
+        case H5I_DATASET:
+            return H5Dclose(id) >= 0;
+        case H5I_ATTR:
+            return H5Aclose(id) >= 0;
+        case H5I_DATATYPE:
+            return H5Tclose(id) >= 0;
+        case H5I_DATASPACE:
+            return H5Sclose(id) >= 0;
+        case H5I_GENPROP_LST:
+            return H5Pclose(id) >= 0;
+        default:
+            return false;
+    }
+}
+
+QuietHdf5::QuietHdf5() {
+    H5Eget_auto2(H5E_DEFAULT, &handler_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+QuietHdf5::~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, handler_, data_); }
+
+// ---- writing ----
+
+Hdf5Writer::Hdf5Writer(std::filesystem::path path) : path_(std::move(path)) {
+    const QuietHdf5 quiet;
+    const Hdf5Handle properties = timeless_properties(H5P_FILE_CREATE);
+    file_ = Hdf5Handle(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT));
+    require(file_.valid(), "it cannot be created");
+}
+
+void Hdf5Writer::require(bool succeeded, const std::string& what) const {
+    if (!succeeded) throw OutputError(path_.string() + ": " + what + "; free disk space and run again");
+}
+
+void Hdf5Writer::group(const std::string& name) {
+    const QuietHdf5 quiet;
+    const Hdf5Handle properties = timeless_properties(H5P_GROUP_CREATE);
+    const Hdf5Handle made(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT));
+    require(made.valid(), "group " + name + " cannot be written");
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, double value) {
+    write_attribute(object, name, H5T_NATIVE_DOUBLE, 0, &value);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name,
+                           std::span<const std::int64_t> values) {
+    write_attribute(object, name, H5T_NATIVE_INT64, values.size() == 1 ? 0 : values.size(), values.data());
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, const std::string& text) {
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1));
+    H5Tset_size(type.id(), std::max<std::size_t>(text.size(), 1));
+    H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+    write_attribute(object, name, type.id(), 0, text.c_str());
+}
+
+// count == 0: a scalar.
+void Hdf5Writer::write_attribute(const std::string& object, const std::string& name, hid_t type,
+                                 std::size_t count, const void* data) {
+    const QuietHdf5 quiet;
+    const hsize_t size = count;
+    const Hdf5Handle space(count == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &size, nullptr));
+    const Hdf5Handle made(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), type, space.id(),
+                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    require(made.valid() && H5Awrite(made.id(), type, data) >= 0, "attribute " + name + " cannot be written");
+}
+
+void Hdf5Writer::write_array(const std::string& name, hid_t type, const void* data, std::size_t rows,
+                             int components, Packing packing) {
+    const QuietHdf5 quiet;
+    const std::array<hsize_t, 2> shape{rows, static_cast<hsize_t>(components)};
+    const Hdf5Handle space(H5Screate_simple(components > 0 ? 2 : 1, shape.data(), nullptr));
+    const Hdf5Handle properties = array_properties(rows, components, packing);
+    const Hdf5Handle made(
+        H5Dcreate2(file_.id(), name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT));
+    const bool written =
+        made.valid() && (rows == 0 || H5Dwrite(made.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0);
+    require(written, "array " + name + " cannot be written");
+}
+
+void Hdf5Writer::close() {
+    const QuietHdf5 quiet;
+    require(file_.close(), "it cannot be completed");
+}
+
+// ---- reading ----
+
+Hdf5Reader::Hdf5Reader(std::filesystem::path path, std::string remedy)
+    : path_(std::move(path)), remedy_(std::move(remedy)) {
+    if (!std::filesystem::exists(path_)) fail("the file does not exist");
+    const QuietHdf5 quiet;
+    file_ = Hdf5Handle(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    if (!file_.valid()) fail("it is truncated or no HDF5 file");
+}
+
+void Hdf5Reader::fail(const std::string& problem) const {
+    throw InputError(path_.string() + ": " + problem + "; " + remedy_);
+}
+
+bool Hdf5Reader::has_attribute(const std::string& object, const std::string& name) const {
+    const QuietHdf5 quiet;
+    return H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+Hdf5Handle Hdf5Reader::open_attribute(const std::string& object, const std::string& name) const {
+    const QuietHdf5 quiet;
+    Hdf5Handle found(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+    if (!found.valid()) fail("attribute " + name + " is missing");
+    return found;
+}
+
+double Hdf5Reader::number(const std::string& object, const std::string& name) const {
+    const Hdf5Handle found = open_attribute(object, name);
+    const QuietHdf5 quiet;
+    double value = 0.0;
+    if (H5Aread(found.id(), H5T_NATIVE_DOUBLE, &value) < 0) fail("attribute " + name + " is no number");
+    return value;
+}
+
+std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& name) const {
+    const Hdf5Handle found = open_attribute(object, name);
+    const QuietHdf5 quiet;
+    std::int64_t value = 0;
+    if (H5Aread(found.id(), H5T_NATIVE_INT64, &value) < 0) fail("attribute " + name + " is no integer");
+    return value;
+}
+
+std::string Hdf5Reader::text(const std::string& object, const std::string& name) const {
+    const Hdf5Handle found = open_attribute(object, name);
+    const QuietHdf5 quiet;
+    const Hdf5Handle type(H5Aget_type(found.id()));
+    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0) {
+        fail("attribute " + name + " is no fixed-size text");
+    }
+    std::string value(H5Tget_size(type.id()), '\0');
+    if (H5Aread(found.id(), type.id(), value.data()) < 0) fail("attribute " + name + " cannot be read");
+    return value.substr(0, value.find('\0'));
+}
+
+Hdf5Handle Hdf5Reader::open_array(const std::string& name, int components, std::size_t& count) const {
+    const QuietHdf5 quiet;
+    Hdf5Handle found(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT));
+    if (!found.valid()) fail("array " + name + " is missing");
+    const Hdf5Handle space(H5Dget_space(found.id()));
+    std::array<hsize_t, 2> shape{};
+    const int rank = H5Sget_simple_extent_ndims(space.id());
+    if (rank != (components > 0 ? 2 : 1)) fail("array " + name + " has an unexpected shape");
+    H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr);
+    if (components > 0 && shape[1] != static_cast<hsize_t>(components)) {
+        fail("array " + name + " does not have " + std::to_string(components) + " components");
+    }
+    count = shape[0] * (components > 0 ? shape[1] : 1);
+    return found;
+}
+
+}  // namespace tidewater::io

@@ -1,0 +1,62 @@
+// Tables of numbers as CSV: lines "# key: value" with the provenance, one line of column names, then one line
+// per row. Numbers are written so that they read back to the same value; "nan" means that there is none.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/files.h"
+#include "core/provenance.h"
+
+namespace tidewater::io {
+
+// A file that grows row by row while a stage works, under <path>.part; finish() gives it its name. If
+// finish() is not reached, nothing is left. All members throw OutputError if the file cannot be written.
+//     TableWriter gauges(run / "gauges.csv", provenance, {"time", "x=2"});
+//     gauges.append(std::array{0.0, 0.01});
+//     gauges.finish();
+class TableWriter {
+public:
+    // Column names must not hold commas, quotes or line ends.
+    TableWriter(const std::filesystem::path& path, const Provenance& provenance,
+                std::vector<std::string> columns);
+
+    // One value per column. The row is handed to the system at once, so that the file can be followed.
+    void append(std::span<const double> row);
+
+    // For tables with words among the numbers; cells are written as they are.
+    void append_cells(std::span<const std::string> row);
+
+    void finish();
+
+private:
+    std::filesystem::path path_;
+    PartFile part_;
+    std::ofstream stream_;
+    std::size_t column_count_;
+};
+
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<double>> values;  // values[c][r]: column c, row r
+
+    std::size_t row_count() const { return values.empty() ? 0 : values.front().size(); }
+
+    // nullptr if there is no such column.
+    const std::vector<double>* find(std::string_view column) const;
+};
+
+// Reads a table of numbers. Throws InputError if the file is missing or has no line of column names, or with
+// "file:line" if a row has too few or too many values or one that is no number.
+Table read_table(const std::filesystem::path& path);
+
+// The column of a table that was read from `path`. Throws InputError if there is none.
+const std::vector<double>& require_column(const Table& table, std::string_view column,
+                                          const std::filesystem::path& path);
+
+}  // namespace tidewater::io

@@ -1,0 +1,62 @@
+#include "io/text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace tidewater::io {
+
+std::string format_number(double value) {
+    if (std::isnan(value)) return "nan";  // one spelling, whatever the sign bit
+    std::array<char, 32> text;
+    const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), result.ptr};
+}
+
+std::string format_fixed(double value, int decimals) {
+    std::array<char, 400> text;  // the greatest double has 309 digits before the point
+    const auto result =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    std::string fixed(text.data(), result.ptr);
+    if (fixed.find_first_not_of("-0.") == std::string::npos && fixed.front() == '-') fixed.erase(0, 1);
+    return fixed;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    constexpr const char* blanks = " \t\r";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    text = text.substr(first, text.find_last_not_of(blanks) - first + 1);
+    double value = 0.0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
+    return value;
+}
+
+std::string escape_xml(std::string_view text) {
+    std::string escaped;
+    for (const char letter : text) {
+        switch (letter) {
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            case '"':
+                escaped += "&quot;";
+                break;
+            case '\'':
+                escaped += "&apos;";
+                break;
+            default:
+                escaped += letter;
+        }
+    }
+    return escaped;
+}
+
+}  // namespace tidewater::io

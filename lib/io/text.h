@@ -1,0 +1,22 @@
+// Numbers and names as text, the same in every locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tidewater::io {
+
+// The shortest text that reads back to the same number: "0.1", "1e-09", "nan".
+std::string format_number(double value);
+
+// With a fixed number of decimals: format_fixed(2.5, 2) is "2.50"; never "-0.00".
+std::string format_fixed(double value, int decimals);
+
+// The whole text as a number, blanks around it allowed; nothing if it is not one.
+std::optional<double> parse_number(std::string_view text);
+
+// With &, <, >, " and ' replaced, for XML text and attributes.
+std::string escape_xml(std::string_view text);
+
+}  // namespace tidewater::io
