@@ -1,0 +1,69 @@
+// What the tests of io share: a folder that is removed afterwards, a provenance, a small cloud of particles.
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "core/error.h"
+#include "core/provenance.h"
+#include "core/types.h"
+#include "io/snapshot.h"
+
+namespace tidewater::io {
+
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "tidewater-io-XXXXXX").string();
+        path_ = ::mkdtemp(name.data());
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+    std::size_t file_count() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+inline Provenance test_provenance() {
+    return {"tidewater-test", "1.2.3", "tidewater-test a.toml", "00ff", 7};
+}
+
+// `count` particles on a slope in 2D, every third of them rigid, with values that differ in every column.
+inline Snapshot test_snapshot(std::size_t count) {
+    Snapshot snapshot;
+    snapshot.time = 1.25;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto value = static_cast<float>(i);
+        snapshot.points.insert(snapshot.points.end(), {0.5f * value, 0.0f, 2.0f + 0.25f * value});
+        snapshot.velocity.insert(snapshot.velocity.end(), {3.0f * value, 0.0f, -4.0f * value});
+        snapshot.pressure.push_back(1000.0f + value);
+        snapshot.volume.push_back(0.25f);
+        snapshot.material.push_back(
+            static_cast<std::uint8_t>(i % 3 == 2 ? Material::rigid : Material::water));
+        snapshot.id.push_back(static_cast<std::uint32_t>(7 * i));
+    }
+    return snapshot;
+}
+
+// The line of the InputError that `work` throws; empty if it throws none.
+template <class Work>
+std::string input_error(const Work& work) {
+    try {
+        work();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace tidewater::io

@@ -1,0 +1,173 @@
+#include "io/snapshot.h"
+
+#include <doctest/doctest.h>
+#include <vtkCell.h>
+#include <vtkDataArray.h>
+#include <vtkHDFReader.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <array>
+
+#include "core/files.h"
+#include "io/hdf5_file.h"
+#include "unit/io/fixture.h"
+
+using namespace tidewater;
+using namespace tidewater::io;
+
+namespace {
+
+void check_equal(const Snapshot& a, const Snapshot& b) {
+    CHECK(a.time == b.time);
+    CHECK(a.dimension == b.dimension);
+    CHECK(a.points == b.points);
+    for_each_column([&](const auto& column) {
+        CAPTURE(column.name);
+        CHECK(a.*column.values == b.*column.values);
+    });
+}
+
+void cut(const std::filesystem::path& path, std::size_t bytes) {
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) - bytes);
+}
+
+// Replaces the attribute format_version and the names of the arrays by those of another program.
+void write_foreign(const std::filesystem::path& path, const char* format, std::int64_t version) {
+    Hdf5Writer file(path);
+    if (format) file.attribute("/", "format", format);
+    file.attribute("/", "format_version", std::array{version});
+    file.attribute("/", "time", 0.0);
+    file.attribute("/", "dimension", std::array<std::int64_t, 1>{2});
+    file.close();
+}
+
+}  // namespace
+
+TEST_CASE("reads back what was written, for none, one and many particles") {
+    const TemporaryFolder folder;
+    for (const std::size_t count : {0, 1, 1000, 200000}) {
+        const Snapshot snapshot = test_snapshot(count);
+        write_snapshot(folder / "frame_0000.hdf", snapshot, test_provenance());
+        check_equal(read_snapshot(folder / "frame_0000.hdf"), snapshot);
+        CHECK(read_snapshot_time(folder / "frame_0000.hdf") == 1.25);
+    }
+    CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("VTK's own reader sees the points, the bounds and every array") {
+    const TemporaryFolder folder;
+    write_snapshot(folder / "frame_0000.hdf", test_snapshot(101), test_provenance());
+    vtkNew<vtkHDFReader> reader;
+    reader->SetFileName((folder / "frame_0000.hdf").c_str());
+    reader->Update();
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(reader->GetOutput());
+    REQUIRE(grid != nullptr);
+    CHECK(grid->GetNumberOfPoints() == 101);
+    CHECK(grid->GetNumberOfCells() == 1);
+    CHECK(grid->GetCellType(0) == VTK_POLY_VERTEX);
+    CHECK(grid->GetCell(0)->GetNumberOfPoints() == 101);
+    const std::array<double, 6> expected{0.0, 50.0, 0.0, 0.0, 2.0, 27.0};
+    for (int i = 0; i < 6; ++i) CHECK(grid->GetBounds()[i] == expected[static_cast<std::size_t>(i)]);
+    for_each_column([&](const auto& column) {
+        CAPTURE(column.name);
+        vtkDataArray* array = grid->GetPointData()->GetArray(column.name);
+        REQUIRE(array != nullptr);
+        CHECK(array->GetNumberOfTuples() == 101);
+        CHECK(array->GetNumberOfComponents() == column.components);
+    });
+    CHECK(grid->GetPointData()->GetArray("velocity")->GetComponent(10, 2) == -40.0);
+    CHECK(grid->GetPointData()->GetArray("id")->GetComponent(100, 0) == 700.0);
+}
+
+TEST_CASE("equal snapshots are equal bytes, and another time is not") {
+    const TemporaryFolder folder;
+    Snapshot snapshot = test_snapshot(70000);
+    write_snapshot(folder / "a", snapshot, test_provenance());
+    write_snapshot(folder / "b", snapshot, test_provenance());
+    CHECK(read_text(folder / "a") == read_text(folder / "b"));
+    snapshot.time = 2.0;
+    write_snapshot(folder / "b", snapshot, test_provenance());
+    CHECK(read_text(folder / "a") != read_text(folder / "b"));
+}
+
+TEST_CASE("carries the provenance") {
+    const TemporaryFolder folder;
+    write_snapshot(folder / "a", test_snapshot(3), test_provenance());
+    const Hdf5Reader file(folder / "a", "");
+    for (const auto& [name, text] : provenance_fields(test_provenance())) CHECK(file.text("/", name) == text);
+}
+
+TEST_CASE("refuses columns of the wrong length, and leaves no file") {
+    const TemporaryFolder folder;
+    Snapshot snapshot = test_snapshot(4);
+    snapshot.pressure.pop_back();
+    CHECK_THROWS_AS(write_snapshot(folder / "a", snapshot, test_provenance()), std::invalid_argument);
+    CHECK(folder.file_count() == 0);
+    CHECK_THROWS_AS(write_snapshot(folder / "no/a", test_snapshot(4), test_provenance()), OutputError);
+}
+
+TEST_CASE("a missing, truncated or foreign file gives one line with the file, the problem and the remedy") {
+    const TemporaryFolder folder;
+    const auto path = folder / "frame_0000.hdf";
+    const auto line = [&] { return input_error([&] { read_snapshot(path); }); };
+    const std::string remedy = "; run tidewater-simulate again";
+    CHECK(line() == path.string() + ": the file does not exist" + remedy);
+
+    write_snapshot(path, test_snapshot(1000), test_provenance());
+    cut(path, 100);
+    CHECK(line() == path.string() + ": it is truncated or no HDF5 file" + remedy);
+    write_text(path, "particles: 3");
+    CHECK(line() == path.string() + ": it is truncated or no HDF5 file" + remedy);
+    write_text(path, "");
+    CHECK(line() == path.string() + ": it is truncated or no HDF5 file" + remedy);
+
+    write_foreign(path, nullptr, 1);
+    CHECK(line() == path.string() + ": it is an HDF5 file but no tidewater snapshot" + remedy);
+    write_foreign(path, "other", 1);
+    CHECK(line() == path.string() + ": it is an HDF5 file but no tidewater snapshot" + remedy);
+    write_foreign(path, "tidewater-snapshot", 99);
+    CHECK(line() == path.string() + ": its format version 99 is newer than this program's 1" + remedy);
+    write_foreign(path, "tidewater-snapshot", 1);
+    CHECK(line() == path.string() + ": array /VTKHDF/Points is missing" + remedy);
+}
+
+TEST_CASE("a flipped byte in the particles is found by its checksum") {
+    const TemporaryFolder folder;
+    const auto path = folder / "frame_0000.hdf";
+    Snapshot snapshot = test_snapshot(100);
+    std::fill(snapshot.pressure.begin(), snapshot.pressure.end(), 12345.678f);
+    write_snapshot(path, snapshot, test_provenance());
+    std::string bytes = read_text(path);
+    const float pressure = 12345.678f;
+    const auto place = bytes.find(std::string(reinterpret_cast<const char*>(&pressure), sizeof pressure));
+    REQUIRE(place != std::string::npos);
+    bytes[place] = static_cast<char>(bytes[place] ^ 1);
+    write_text(path, bytes);
+    CHECK(input_error([&] { read_snapshot(path); }).find("pressure is damaged") != std::string::npos);
+}
+
+TEST_CASE("lists the snapshots of a folder by number, and nothing else") {
+    const TemporaryFolder folder;
+    for (const char* name : {"frame_0002.hdf", "frame_10000.hdf", "frame_0010.hdf", "frame_0003.hdf.part",
+                             "frame_.hdf", "frame_x.hdf", "frame.hdf.series", "other.hdf"}) {
+        write_text(folder / name, "");
+    }
+    const auto found = list_snapshots(folder.path());
+    REQUIRE(found.size() == 3);
+    CHECK(found[0].filename() == "frame_0002.hdf");
+    CHECK(found[1].filename() == snapshot_name(10));
+    CHECK(found[2].filename() == snapshot_name(10000));
+    CHECK(input_error([&] { list_snapshots(folder / "none"); }).find("run tidewater-simulate first") !=
+          std::string::npos);
+}
+
+TEST_CASE("the series names every frame with its time") {
+    const TemporaryFolder folder;
+    write_series(folder.path(), {0.0, 0.1});
+    CHECK(read_text(folder / "frame.hdf.series") ==
+          "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
+          "    {\"name\": \"frame_0000.hdf\", \"time\": 0},\n"
+          "    {\"name\": \"frame_0001.hdf\", \"time\": 0.1}\n  ]\n}\n");
+}

@@ -1,0 +1,32 @@
+#include "io/text.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace tidewater::io;
+
+TEST_CASE("numbers are written as short as they read back") {
+    CHECK(format_number(0.1) == "0.1");
+    CHECK(format_number(3.0) == "3");
+    CHECK(format_number(-1e-9) == "-1e-09");
+    CHECK(format_number(-std::nan("")) == "nan");
+}
+
+TEST_CASE("fixed decimals never give a negative zero") {
+    CHECK(format_fixed(2.5, 2) == "2.50");
+    CHECK(format_fixed(-0.001, 2) == "0.00");
+    CHECK(format_fixed(-0.006, 2) == "-0.01");
+    CHECK(format_fixed(1e300, 1).size() == 303);
+    CHECK(format_fixed(7.6, 0) == "8");
+}
+
+TEST_CASE("only a whole number is a number") {
+    CHECK(parse_number(" 2.5\t") == 2.5);
+    CHECK(std::isnan(parse_number("nan").value()));
+    for (const char* text : {"", " ", "2.5m", "2,5", "x", "1 2"}) CHECK_FALSE(parse_number(text).has_value());
+}
+
+TEST_CASE("XML's own letters are replaced") {
+    CHECK(escape_xml("a < b & \"c\" > 'd' η") == "a &lt; b &amp; &quot;c&quot; &gt; &apos;d&apos; η");
+}
