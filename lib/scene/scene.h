@@ -1,13 +1,16 @@
 // A scene: everything that a run is made of, as read from one TOML file and --set options.
 //
-// Each member below is one key of the file ("domain.cell_size"), declared once in keys.cpp with its unit, default,
-// check, help and the stages that read it. `effects` names the physics that is simulated; a key of an effect that is
-// not named is an error. Vectors have one entry per dimension: (x, z) in 2D, (x, y, z) in 3D.
+// Each member below is one key of the file ("domain.cell_size"), declared once in keys.cpp with its unit,
+// check, help and the stages that read it; its initialiser here is its default. `effects` names the physics
+// that is simulated; a key of an effect that is not named is an error. Vectors have one entry per dimension:
+// (x, z) in 2D, (x, y, z) in 3D.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mpm/boundary.h"
@@ -15,7 +18,7 @@
 
 namespace tidewater::scene {
 
-enum class Stage { geometry, simulate, postprocess };
+enum class Stage { geometry, simulate, postprocess };         // in the order in which they run
 enum class Precision { single_precision, double_precision };  // "float", "double" in the file
 
 struct Scene {
@@ -25,9 +28,9 @@ struct Scene {
     std::uint64_t seed = 1;
 
     struct Domain {
-        std::vector<double> size;  // m; the tank is the box from the origin to size
-        double cell_size = 0.0;    // Δx, m
-        double gravity = 9.81;     // m/s², downward
+        std::vector<double> size;                         // m; the tank is the box from the origin to size
+        double cell_size = 0.0;                           // Δx, m
+        double gravity = 9.81;                            // m/s², downward
         mpm::WallRule wall_left = mpm::WallRule::slip;    // x = 0
         mpm::WallRule wall_right = mpm::WallRule::slip;   // x = size
         mpm::WallRule wall_front = mpm::WallRule::slip;   // y = 0, 3D
@@ -36,10 +39,10 @@ struct Scene {
         mpm::WallRule wall_top = mpm::WallRule::slip;     // z = size
     } domain;
 
-    struct Water {             // effect "water"
-        double depth = 0.0;    // m, of the still water
-        double length = 0.0;   // m, from the left wall; 0: the whole tank
-        mpm::WaterModel model; // water.density, water.sound_speed, water.exponent
+    struct Water {              // effect "water"
+        double depth = 0.0;     // m, of the still water
+        double length = 0.0;    // m, from the left wall; 0: the whole tank
+        mpm::WaterModel model;  // water.density, water.sound_speed, water.exponent
     } water;
 
     struct Block {                   // effect "rigid"
@@ -57,7 +60,7 @@ struct Scene {
     struct Simulate {
         double end_time = 0.0;           // s
         double snapshot_interval = 0.0;  // s
-        double gauge_interval = 0.0;     // s, between rows of gauges.csv and ledger.csv
+        double gauge_interval = 0.01;    // s, between rows of gauges.csv and ledger.csv
         std::vector<double> gauges;      // x of each gauge, m; in 3D on the middle of the tank's width
         Precision precision = Precision::single_precision;
         double cfl = 0.5;
@@ -68,32 +71,40 @@ struct Scene {
         std::vector<double> picture_times;  // s; empty: five, evenly spread
         int picture_width = 1600;           // pixels
         double picture_speed = 0.0;         // m/s, the colour scale's upper end; 0: the run's own
-        double arrival_threshold = 0.05;    // a wave has arrived at this share of the gauge's greatest amplitude
+        double arrival_threshold =
+            0.05;  // a wave has arrived at this share of the gauge's greatest amplitude
     } postprocess;
 
     bool has(std::string_view effect) const;
 };
 
-// One --set option or one key of the file.
+// "geometry", ...
+std::string_view stage_name(Stage stage);
+std::optional<Stage> stage_named(std::string_view name);
+
+// One --set option.
 struct Override {
     std::string key;    // "domain.cell_size"
-    std::string value;  // TOML text; a bare word is taken as a string
+    std::string value;  // TOML; what is not TOML, like a bare word, is taken as text
 };
 
 // Splits "key=value". Throws SceneError if there is no '='.
 Override parse_override(std::string_view text);
 
-// Reads, applies the overrides, checks every key and the keys against each other.
-// Throws SceneError with one line per problem, all of them, each "file:line: key: what is wrong; what to do";
-// InputError if the file cannot be read.
+// Reads, applies the overrides (of two for one key the last counts), checks every key and the keys against
+// each other. Throws SceneError with one line per problem, all of them, each "file:line: key: what is wrong;
+// what to do"; InputError if the file cannot be read.
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-// The scene as TOML: every key of its effects with its value, unit and help as comments. Reads back to the same Scene,
-// and to the same text.
+// What is allowed but probably not meant, one line each.
+std::vector<std::string> scene_warnings(const Scene& scene);
+
+// The scene as TOML: every key of its effects with its value, unit and help as comments. Reads back to the
+// same Scene, and to the same text.
 std::string resolved_text(const Scene& scene);
 
-// The lines of resolved_text that `stage` reads, without comments: what has to change for the stage to run again.
-// Every stage reads what the stages before it do not already decide for it.
+// The lines of resolved_text that `stage` reads, without comments: what has to change for the stage to run
+// again. Every stage reads what the stages before it do not already decide for it.
 std::string stage_part(const Scene& scene, Stage stage);
 
 // Fingerprint of resolved_text without its comments, for provenance.

@@ -1,0 +1,94 @@
+// The table of keys. Each key of a scene is declared once, in keys.cpp; reading, --set, checks, printing, the
+// stages' parts and the reference are derived from this table. The default of a key is its member's
+// initialiser in scene.h.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "scene/scene.h"
+#include "scene/toml_document.h"
+
+namespace tidewater::scene {
+
+// Allowed numbers: least ≤ x ≤ most, without `least` itself if it is open. Lists: each number.
+struct Range {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool open = false;
+
+    // False for NaN and infinities too.
+    bool contains(double number) const;
+    // "above 0 m", "from 0 to 1"; empty if every number is allowed.
+    std::string text(std::string_view unit) const;
+};
+
+// How to reach one key's member of a Scene.
+template <class T>
+struct Member {
+    const T& (*read)(const Scene&);
+    T& (*write)(Scene&);
+};
+
+// member<&Scene::domain, &Scene::Domain::size>() reaches scene.domain.size.
+template <auto... path>
+constexpr auto member() {
+    using T = std::remove_cvref_t<decltype((std::declval<Scene&>().*....*path))>;
+    return Member<T>{[](const Scene& scene) -> const T& { return (scene.*....*path); },
+                     [](Scene& scene) -> T& { return (scene.*....*path); }};
+}
+
+using AnyMember = std::variant<Member<double>, Member<int>, Member<std::uint64_t>, Member<std::string>,
+                               Member<std::vector<double>>, Member<std::vector<std::string>>,
+                               Member<mpm::WallRule>, Member<Precision>>;
+
+// Stages that read a key, as bits.
+inline constexpr unsigned geometry = 1u << static_cast<unsigned>(Stage::geometry);
+inline constexpr unsigned simulate = 1u << static_cast<unsigned>(Stage::simulate);
+inline constexpr unsigned postprocess = 1u << static_cast<unsigned>(Stage::postprocess);
+inline constexpr unsigned every_stage = geometry | simulate | postprocess;
+
+struct Key {
+    std::string_view name;  // "domain.cell_size"
+    std::string_view unit = "";
+    AnyMember member;
+    Range range = {};
+    std::string_view example = "";  // TOML; empty: the default
+    std::string_view effect = "";   // empty: in every scene
+    bool required = false;
+    bool per_dimension = false;  // a list with one number per dimension
+    bool only_3d = false;
+    unsigned stages = every_stage;
+    std::string_view help;
+
+    std::string_view section() const;  // "domain"; empty for title, dimension, ...
+    std::string_view last_name() const;
+    // False for a key of an effect that the scene does not name, and for a 3D key in 2D.
+    bool applies(const Scene& scene) const;
+};
+
+// In the order in which they are printed.
+std::span<const Key> all_keys();
+
+// Null if there is none.
+const Key* find_key(std::string_view name);
+
+// Names that `effects` may hold.
+std::span<const std::string> known_effects();
+
+// "a number in m", "one of "slip", "stick" or "separate"".
+std::string type_text(const Key& key);
+
+// The key's value in the scene, as TOML.
+std::string value_text(const Key& key, const Scene& scene);
+
+// Sets the key's member. Returns what is wrong with the value and what is right, or an empty text; then the
+// scene is as before.
+std::string set_value(const Key& key, const Value& value, Scene& scene);
+
+}  // namespace tidewater::scene

@@ -1,0 +1,78 @@
+#include "core/hash.h"
+#include "scene/keys.h"
+#include "scene/scene.h"
+
+namespace tidewater::scene {
+namespace {
+
+// "m; the tank is the box ..." or what there is of it.
+std::string comment(const Key& key) {
+    if (key.unit.empty()) return std::string(key.help);
+    return std::string(key.unit) + "; " + std::string(key.help);
+}
+
+std::string stage_names(unsigned stages) {
+    std::string names;
+    for (const Stage stage : {Stage::geometry, Stage::simulate, Stage::postprocess}) {
+        if ((stages & (1u << static_cast<unsigned>(stage))) == 0) continue;
+        names += (names.empty() ? "" : ", ") + std::string(stage_name(stage));
+    }
+    return names;
+}
+
+std::string plain_line(const Key& key, const Scene& scene) {
+    return std::string(key.name) + " = " + value_text(key, scene) + "\n";
+}
+
+// The keys of `stages` that apply to the scene, one "section.key = value" a line.
+std::string plain_text(const Scene& scene, unsigned stages) {
+    std::string text;
+    for (const Key& key : all_keys()) {
+        if ((key.stages & stages) != 0 && key.applies(scene)) text += plain_line(key, scene);
+    }
+    return text;
+}
+
+std::string reference_entry(const Key& key) {
+    std::string text = std::string(key.name) + "\n    " + type_text(key);
+    const std::string range = key.range.text("");
+    if (!range.empty()) text += ", " + range;
+    text += key.required ? "; required, e.g. " + std::string(key.example)
+                         : "; default " + value_text(key, Scene{});
+    if (!key.effect.empty()) text += "; with effect \"" + std::string(key.effect) + "\"";
+    if (key.only_3d) text += "; in 3D";
+    return text + "\n    " + std::string(key.help) + "\n    read by " + stage_names(key.stages) + "\n";
+}
+
+}  // namespace
+
+std::string resolved_text(const Scene& scene) {
+    constexpr std::size_t comment_column = 40;
+    std::string text;
+    std::string_view section;
+    for (const Key& key : all_keys()) {
+        if (!key.applies(scene)) continue;
+        if (key.section() != section) {
+            section = key.section();
+            text += "\n[" + std::string(section) + "]\n";
+        }
+        std::string line = std::string(key.last_name()) + " = " + value_text(key, scene);
+        line.resize(std::max(line.size(), comment_column), ' ');
+        text += line + "  # " + comment(key) + "\n";
+    }
+    return text;
+}
+
+std::string stage_part(const Scene& scene, Stage stage) {
+    return plain_text(scene, 1u << static_cast<unsigned>(stage));
+}
+
+std::string scene_hash(const Scene& scene) { return hash_hex(hash_text(plain_text(scene, every_stage))); }
+
+std::string key_reference() {
+    std::string text = "The keys of a scene file, each usable as --set key=value too.\n";
+    for (const Key& key : all_keys()) text += "\n" + reference_entry(key);
+    return text;
+}
+
+}  // namespace tidewater::scene

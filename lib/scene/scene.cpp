@@ -1,0 +1,23 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tidewater::scene {
+namespace {
+
+constexpr std::array<std::string_view, 3> stage_names{"geometry", "simulate", "postprocess"};
+
+}  // namespace
+
+std::string_view stage_name(Stage stage) { return stage_names[static_cast<std::size_t>(stage)]; }
+
+std::optional<Stage> stage_named(std::string_view name) {
+    const auto found = std::ranges::find(stage_names, name);
+    if (found == stage_names.end()) return std::nullopt;
+    return static_cast<Stage>(found - stage_names.begin());
+}
+
+bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }
+
+}  // namespace tidewater::scene

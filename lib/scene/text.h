@@ -1,0 +1,34 @@
+// Small pieces of text that messages and printed scenes are made of.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tidewater::scene {
+
+// The shortest text that reads back to the same number, as TOML: "0.01", "16", "1e+16". -0 becomes "0".
+std::string number_text(double number);
+
+// "[16, 1]"
+std::string list_text(std::span<const double> numbers);
+std::string list_text(std::span<const std::string> words);
+
+// As a TOML basic string, quotes included.
+std::string quoted_text(std::string_view text);
+
+// "a, b or c"; last is the word before the last item.
+std::string enumeration(std::span<const std::string> items, std::string_view last = "or");
+
+// Without blanks at either end.
+std::string trimmed(std::string_view text);
+
+// Number of letters to insert, remove or replace to turn a into b (Levenshtein 1966).
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+// The candidate nearest to `word`, a candidate's last part ("depth" of "water.depth") counting as well as the
+// whole. Empty if none is near enough to be what was meant.
+std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace tidewater::scene

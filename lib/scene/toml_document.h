@@ -1,0 +1,49 @@
+// A TOML text as a flat list of settings, each with the line it stands on. The only user of toml++.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tidewater::scene {
+
+// What no key takes, described for a message: "true", "a date", "abc, which is not a TOML value".
+struct Foreign {
+    std::string description;
+};
+
+// An empty list is a std::vector<double>.
+using Value =
+    std::variant<std::int64_t, double, std::string, std::vector<double>, std::vector<std::string>, Foreign>;
+
+// The value for a message: `text "abc"`, `2.5`, `a list of 3 numbers`.
+std::string describe(const Value& value);
+
+struct Entry {
+    std::string key;  // with its sections: "domain.cell_size"
+    Value value;
+    int line = 0;  // from 1
+};
+
+struct SyntaxProblem {
+    int line = 0;
+    std::string text;
+};
+
+struct Document {
+    std::vector<Entry> entries;  // in the order of the text; empty if a problem kept the text from being read
+    std::vector<SyntaxProblem> problems;
+    bool readable = true;
+};
+
+// Reads on after a duplicate key (reported, the first one counts) and after a value without quotes (kept as
+// Foreign), so that the scene's other problems can be told at once. After any other error the document is not
+// readable.
+Document parse_toml(std::string_view text);
+
+// The value of a --set option. What is not a TOML value is taken as text.
+Value parse_value(const std::string& text);
+
+}  // namespace tidewater::scene
