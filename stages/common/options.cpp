@@ -1,0 +1,57 @@
+#include "common/options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/error.h"
+#include "core/provenance.h"
+
+namespace tidewater {
+namespace {
+
+void declare(CLI::App& app, StageOptions& options, std::string& part) {
+    app.set_version_flag("--version", app.get_name() + " " + program_version());
+    app.add_flag_callback(
+        "--help-scene",
+        [] {
+            std::cout << scene::key_reference();
+            throw CLI::Success{};
+        },
+        "print the reference of all keys of a scene and exit");
+    app.add_option("scene", options.scene, "the scene file")->required()->type_name("SCENE");
+    app.add_option("--run", options.run, "folder of the results; default runs/<name of the scene file>")
+        ->type_name("FOLDER");
+    app.add_option("--set", options.set, "a key of the scene, instead of the file's value; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    app.add_option("--threads", options.threads, "threads to use; 0: all cores; no effect on results")
+        ->check(CLI::Range(0, 1024))
+        ->type_name("N");
+    app.add_flag("--check", options.check, "only check the scene");
+    app.add_flag("--print-scene", options.print_scene, "only print the scene with every key resolved");
+    app.add_option("--print-part", part, "only print what a stage reads of the scene")
+        ->check(CLI::IsMember({"geometry", "simulate", "postprocess"}))
+        ->type_name("STAGE");
+}
+
+}  // namespace
+
+std::optional<StageOptions> parse_options(int argc, const char* const* argv, std::string_view description) {
+    CLI::App app(std::string(description), std::filesystem::path(argv[0]).filename().string());
+    StageOptions options;
+    std::string part;
+    declare(app, options, part);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answered) {
+        app.exit(answered);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw SceneError(std::string(error.what()) + "; --help lists the options");
+    }
+    if (options.run.empty()) options.run = std::filesystem::path("runs") / options.scene.stem();
+    options.print_part = scene::stage_named(part);
+    return options;
+}
+
+}  // namespace tidewater

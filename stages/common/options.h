@@ -1,0 +1,28 @@
+// The command line of every stage. The only user of CLI11.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace tidewater {
+
+struct StageOptions {
+    std::filesystem::path scene;
+    std::filesystem::path run;  // never empty: runs/<stem of the scene file> by default
+    std::vector<std::string> set;
+    int threads = 0;  // 0: all cores
+    bool check = false;
+    bool print_scene = false;
+    std::optional<scene::Stage> print_part;
+};
+
+// Empty after --help, --help-scene and --version, which are answered on standard output.
+// Throws SceneError with what is wrong with the command line.
+std::optional<StageOptions> parse_options(int argc, const char* const* argv, std::string_view description);
+
+}  // namespace tidewater

@@ -1,0 +1,104 @@
+#include "common/stage.h"
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+#include "common/options.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+
+namespace tidewater {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct StageProgram {
+    scene::Stage stage;
+    std::string name;  // "tidewater-geometry"
+    void (*work)(StageContext& context);
+};
+
+// Each line of text on standard error, after the program's name.
+void say(const StageProgram& program, const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::fprintf(stderr, "%s: %s\n", program.name.c_str(), line.c_str());
+    }
+}
+
+scene::Scene read(const StageOptions& options) {
+    std::vector<scene::Override> overrides;
+    for (const std::string& text : options.set) overrides.push_back(scene::parse_override(text));
+    return scene::read_scene(options.scene, overrides);
+}
+
+// Answers --print-scene, --print-part and --check. False if the stage is to run.
+bool only_look(const StageOptions& options, const scene::Scene& scene) {
+    if (options.print_scene) {
+        std::cout << scene::resolved_text(scene);
+    } else if (options.print_part) {
+        std::cout << scene::stage_part(scene, *options.print_part);
+    } else if (options.check) {
+        std::cout << options.scene.string() << ": the scene is in order\n";
+    }
+    return options.print_scene || options.print_part || options.check;
+}
+
+void run(const StageProgram& program, const StageOptions& options, const scene::Scene& scene,
+         const std::string& command) {
+    const auto start = Clock::now();
+    StageContext context{.scene = scene,
+                         .run = options.run,
+                         .folder = options.run / scene::stage_name(program.stage),
+                         .provenance = {.program = program.name,
+                                        .version = program_version(),
+                                        .command = command,
+                                        .scene_hash = scene::scene_hash(scene),
+                                        .seed = scene.seed}};
+    make_output_folder(context.folder);
+    write_text(context.folder / "scene.toml", scene::resolved_text(scene));
+    const ThreadLimit limit(options.threads);
+    program.work(context);
+    const std::chrono::duration<double> elapsed = Clock::now() - start;
+    say(program, context.folder.string() + " done in " + format_duration(elapsed.count()));
+}
+
+void read_and_run(const StageProgram& program, int argc, const char* const* argv,
+                  std::string_view description) {
+    const auto options = parse_options(argc, argv, description);
+    if (!options) return;
+    const scene::Scene scene = read(*options);
+    if (!options->print_part) {
+        for (const std::string& warning : scene::scene_warnings(scene)) say(program, "warning: " + warning);
+    }
+    if (!only_look(*options, scene)) run(program, *options, scene, reproducible_command(argc, argv));
+}
+
+int exit_code(ExitCode code) { return static_cast<int>(code); }
+
+}  // namespace
+
+int run_stage(int argc, const char* const* argv, scene::Stage stage, std::string_view description,
+              void (*work)(StageContext& context)) {
+    constexpr int unexpected = 1;
+    const StageProgram program{stage, "tidewater-" + std::string(scene::stage_name(stage)), work};
+    try {
+        read_and_run(program, argc, argv, description);
+        return exit_code(ExitCode::ok);
+    } catch (const Error& error) {
+        say(program, error.what());
+        return exit_code(error.code());
+    } catch (const std::bad_alloc&) {
+        say(program, "out of memory; a larger domain.cell_size needs less");
+    } catch (const std::exception& error) {
+        say(program, std::string("unexpected error, please report it: ") + error.what());
+    }
+    return unexpected;
+}
+
+}  // namespace tidewater

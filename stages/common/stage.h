@@ -1,0 +1,37 @@
+// The skeleton that every stage's main is: command line, scene, folder, provenance, errors and exit codes.
+//
+//     int main(int argc, char** argv) {
+//         return tidewater::run_stage(argc, argv, scene::Stage::geometry, "writes the level sets",
+//         &write_level_sets);
+//     }
+//
+//     tidewater-<stage> SCENE [--set KEY=VALUE]... [--run FOLDER] [--threads N]    runs the stage
+//     tidewater-<stage> SCENE --check | --print-scene | --print-part STAGE         only looks at the scene
+//     tidewater-<stage> --help | --help-scene | --version
+//
+// A line on standard error for each problem, "tidewater-<stage>: <what, where, and what to do>", and the exit
+// code of core/error.h. Command-line misuse counts as a scene error (2); what is no Error of ours ends
+// with 1. Test: tests/pipeline/command_line_test.sh
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/provenance.h"
+#include "scene/scene.h"
+
+namespace tidewater {
+
+struct StageContext {
+    scene::Scene scene;
+    std::filesystem::path run;     // the folder of all stages' results
+    std::filesystem::path folder;  // run/<stage>; exists and can be written to
+    Provenance provenance;
+};
+
+// Runs `work` between creating context.folder with its scene.toml (the resolved scene) and saying how long it
+// took. Returns the exit code for main.
+int run_stage(int argc, const char* const* argv, scene::Stage stage, std::string_view description,
+              void (*work)(StageContext& context));
+
+}  // namespace tidewater
