@@ -1,6 +1,7 @@
 #include "core/provenance.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace tidewater {
 
@@ -9,11 +10,11 @@ std::string program_version() { return TIDEWATER_VERSION; }
 std::string reproducible_command(int argc, const char* const* argv) {
     std::string command = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : std::string();
     for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        if (word == "--threads") {
+        const std::string_view word = argv[i];
+        if (word == "--threads" || word == "--run") {
             ++i;
-        } else if (word.rfind("--threads=", 0) != 0) {
-            command += " " + word;
+        } else if (!word.starts_with("--threads=") && !word.starts_with("--run=")) {
+            command += " " + std::string(word);
         }
     }
     return command;

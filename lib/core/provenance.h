@@ -11,14 +11,16 @@ namespace tidewater {
 struct Provenance {
     std::string program;     // "tidewater-simulate"
     std::string version;     // program_version()
-    std::string command;     // the command line without --threads, which cannot change a result
+    std::string command;     // reproducible_command()
     std::string scene_hash;  // hash_hex of the resolved scene's text
     std::uint64_t seed = 0;
 };
 
 std::string program_version();
 
-// argv joined by blanks, with "--threads N" and "--threads=N" left out and argv[0] cut to its file name.
+// argv joined by blanks, without what cannot change a result: --threads N, --run FOLDER (or --threads=N,
+// --run=FOLDER) and the folder of argv[0]. So the same scene gives the same bytes wherever and with however
+// many threads it runs.
 std::string reproducible_command(int argc, const char* const* argv);
 
 // The fields as (name, text) in a fixed order, for writers of attributes and comment lines.
