@@ -126,23 +126,23 @@ void check_block_inside(Reading& reading) {
     }
 }
 
-// Every number of the list must be at most `most`.
+// Reports the numbers of the list that are greater than `most`: "<rule> <most> <unit>: <numbers>".
 void check_list(Reading& reading, const char* key, const std::vector<double>& list, double most,
-                const char* unit, const char* rule) {
-    std::vector<double> outside;
+                const char* unit, const std::string& rule) {
+    std::string outside;
     for (const double number : list) {
-        if (number > most) outside.push_back(number);
+        if (number > most) outside += (outside.empty() ? "" : ", ") + number_text(number);
     }
     if (outside.empty()) return;
-    reading.report(key, list_text(outside) + " " + unit + " " + rule + " " + number_text(most) + " " + unit +
-                            "; move or remove " + (outside.size() == 1 ? "it" : "them"));
+    reading.report(key,
+                   rule + " " + number_text(most) + " " + unit + ": " + outside + "; move or remove what is");
 }
 
 void check_gauges(Reading& reading) {
     if (!reading.usable({"dimension", "domain.size"})) return;
     const Scene& scene = reading.scene;
     const double end = scene.domain.size.front();
-    const char* rule = "lies outside the tank, which ends at x =";
+    const char* rule = "outside the tank, which ends at x =";
     if (reading.usable({"simulate.gauges"})) {
         check_list(reading, "simulate.gauges", scene.simulate.gauges, end, "m", rule);
     }
@@ -164,7 +164,7 @@ void check_times(Reading& reading) {
     check_interval("simulate.gauge_interval", scene.simulate.gauge_interval);
     if (reading.usable({"postprocess.picture_times"})) {
         check_list(reading, "postprocess.picture_times", scene.postprocess.picture_times, end, "s",
-                   "is later than simulate.end_time =");
+                   "later than simulate.end_time =");
     }
 }
 

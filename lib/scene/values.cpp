@@ -105,7 +105,7 @@ struct TypeName {
 
     std::string operator()(const Member<double>&) const { return "a number"; }
     std::string operator()(const Member<int>&) const { return "a whole number"; }
-    std::string operator()(const Member<std::uint64_t>&) const { return "a whole number, 0 or more,"; }
+    std::string operator()(const Member<std::uint64_t>&) const { return "a whole number of 0 or more"; }
     std::string operator()(const Member<std::string>&) const { return "text in quotes"; }
     std::string operator()(const Member<std::vector<double>>&) const {
         return key.per_dimension ? "a list with one number per dimension" : "a list of numbers";
