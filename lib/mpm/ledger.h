@@ -1,0 +1,28 @@
+// What a run has of each conserved thing, and where it came from or went.
+//
+//     momentum(t) = momentum(0) + gravity impulse + wall impulse          closes to rounding
+//     kinetic + gravitational + elastic − wall work                       never grows; what it loses is the
+//     scheme's loss
+//
+// Energies in J (per metre of width in 2D). Kinetic energy counts what APIC keeps in C: ½ m (|v|² +
+// (Δx²/4)|C|²). Gravitational energy is m g z from z = 0. Sums in double, particle by particle within blocks,
+// blocks in order. Test: tests/unit/mpm/simulation_test.cpp.
+#pragma once
+
+#include "mpm/simulation.h"
+
+namespace tidewater::mpm {
+
+template <int D>
+struct Ledger {
+    double mass = 0.0;
+    Vector<D, double> momentum = Vector<D, double>::Zero();
+    double kinetic = 0.0;
+    double gravitational = 0.0;
+    double elastic = 0.0;
+};
+
+template <int D, class Real>
+Ledger<D> take_ledger(const Simulation<D, Real>& simulation);
+
+}  // namespace tidewater::mpm

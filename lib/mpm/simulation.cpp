@@ -1,0 +1,317 @@
+#include "mpm/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "mpm/transfer.h"
+
+namespace tidewater::mpm {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Adds the time since `from` to a phase and returns now.
+template <int D, class Real>
+Clock::time_point charge(Simulation<D, Real>& simulation, Phase phase, Clock::time_point from) {
+    const auto now = Clock::now();
+    simulation.seconds[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - from).count();
+    return now;
+}
+
+// The momentum gradient of a water particle, per cell: Δx m C − Δt V0 (4/Δx) τ with τ = −J p I.
+template <int D, class Real>
+void scatter_body(const Parameters<D>& parameters, double dx, double dt, const Particles<D, Real>& particles,
+                  std::size_t slot, Node<Real>* tile) {
+    const bool water = particles.material == Material::water;
+    const auto mass = static_cast<Real>(particles.mass);
+    const auto bulk = static_cast<Real>(parameters.water.bulk_modulus());
+    const int exponent = parameters.water.exponent;
+    const auto factor = static_cast<Real>(dt * particles.volume * 4.0 / dx);
+    for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+        Matrix<D, Real> gradient = mass * particles.gradient[p];
+        if (water) {
+            const Real j = particles.j[p];
+            gradient.diagonal().array() += factor * (Real(1) + j) * water_pressure(j, bulk, exponent);
+        }
+        scatter<D, Real>(particles.position[p], mass, mass * particles.velocity[p], gradient, tile);
+    }
+}
+
+template <int D, class Real>
+void scatter_all(Simulation<D, Real>& s, double dt) {
+    parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
+        Node<Real>* tile = s.grid.tile(slot);
+        std::fill_n(tile, Block<D>::tile_nodes, Node<Real>::Zero());
+        for (const auto& particles : s.bodies) {
+            scatter_body(s.parameters, s.grid.layout.cell_size, dt, particles, slot, tile);
+        }
+    });
+}
+
+// Momentum → velocity, and gravity's share of it.
+template <int D, class Real>
+void update_velocities(Real gravity_dt, Node<Real>* nodes) {
+    for (int n = 0; n < Block<D>::nodes; ++n) {
+        const Real mass = nodes[n][mass_lane];
+        if (!(mass > std::numeric_limits<Real>::min())) {
+            nodes[n].setZero();
+            continue;
+        }
+        nodes[n] *= Real(1) / mass;
+        nodes[n][mass_lane] = mass;
+        nodes[n][D - 1] -= gravity_dt;
+    }
+}
+
+template <int D, class Real>
+void update_grid(Simulation<D, Real>& s, double dt) {
+    const auto gravity_dt = static_cast<Real>(s.parameters.gravity * dt);
+    std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
+    parallel_for(actions.size(), [&](std::size_t slot) {
+        Node<Real>* nodes = s.grid.block_nodes(slot);
+        sum_tiles(s.grid, slot, nodes);
+        update_velocities<D>(gravity_dt, nodes);
+        actions[slot] = apply_walls<D, Real>(s.grid.layout, s.parameters.walls,
+                                             s.grid.layout.block_at(s.grid.node_blocks[slot]), nodes);
+    });
+    for (const auto& action : actions) {
+        s.wall_impulse += action.impulse;
+        s.wall_work += action.work;
+    }
+    for (const auto& particles : s.bodies) {
+        s.gravity_impulse -=
+            particles.mass * static_cast<double>(particles.size()) * s.parameters.gravity * dt;
+    }
+}
+
+// Extremes over a block's particles, and a sum that is zero unless a value is not finite.
+struct Extremes {
+    double speed2 = 0.0;  // per axis, squared, m²/s²
+    double least_j = std::numeric_limits<double>::max();
+    double poison = 0.0;
+};
+
+template <int D, class Real>
+Extremes gather_body(double dx, double dt, Particles<D, Real>& particles, std::size_t slot,
+                     const Node<Real>* tile) {
+    const auto cells_per_speed = static_cast<Real>(dt / dx);
+    const bool water = particles.material == Material::water;
+    Real speed2 = 0, least_j = std::numeric_limits<Real>::max(), poison = 0;
+    for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+        Vector<D, Real>& velocity = particles.velocity[p];
+        gather<D, Real>(particles.position[p], tile, velocity, particles.gradient[p]);
+        const Real square = velocity.squaredNorm();
+        speed2 = std::max(speed2, square);
+        poison += Real(0) * square;
+        if (!water) continue;
+        // J ← J (1 + Δt tr C), for j = J − 1.
+        Real& j = particles.j[p];
+        j += (Real(1) + j) * cells_per_speed * particles.gradient[p].trace();
+        least_j = std::min(least_j, j);
+        poison += Real(0) * j;
+        particles.position[p] += cells_per_speed * velocity;
+    }
+    return {static_cast<double>(speed2), static_cast<double>(least_j), static_cast<double>(poison)};
+}
+
+template <int D, class Real>
+[[noreturn]] void fail_at_bad_particle(const Simulation<D, Real>& s) {
+    const std::string where =
+        "step " + std::to_string(s.step) + ", t = " + std::to_string(s.time) + " s, phase gather: ";
+    for (const auto& particles : s.bodies) {
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            const bool finite = particles.velocity[p].allFinite() && particles.gradient[p].allFinite() &&
+                                (particles.j.empty() || std::isfinite(particles.j[p]));
+            const bool collapsed = !particles.j.empty() && !(particles.j[p] > Real(-1));
+            if (finite && !collapsed) continue;
+            throw NumericsError(
+                where + std::string(material_name(particles.material)) + " particle " +
+                std::to_string(particles.id[p]) +
+                (finite ? " was squeezed to no volume" : " has a velocity that is not a number") +
+                "; use a smaller simulate.cfl or a higher water.sound_speed");
+        }
+    }
+    throw NumericsError(where + "a value is not a number");
+}
+
+template <int D, class Real>
+void gather_all(Simulation<D, Real>& s, double dt) {
+    std::vector<Extremes> extremes(s.grid.particle_blocks.size());
+    parallel_for(extremes.size(), [&](std::size_t slot) {
+        std::array<Node<Real>, static_cast<std::size_t>(Block<D>::tile_nodes)> tile;
+        load_tile(s.grid, slot, tile.data());
+        for (auto& particles : s.bodies) {
+            const Extremes found = gather_body(s.grid.layout.cell_size, dt, particles, slot, tile.data());
+            extremes[slot].speed2 = std::max(extremes[slot].speed2, found.speed2);
+            extremes[slot].least_j = std::min(extremes[slot].least_j, found.least_j);
+            extremes[slot].poison += found.poison;
+        }
+    });
+    Extremes all;
+    for (const Extremes& found : extremes) {
+        all.speed2 = std::max(all.speed2, found.speed2);
+        all.least_j = std::min(all.least_j, found.least_j);
+        all.poison += found.poison;
+    }
+    if (all.poison != 0.0 || !(all.least_j > -1.0)) fail_at_bad_particle(s);
+    s.speeds.particle = std::sqrt(all.speed2);
+    if (all.least_j < std::numeric_limits<Real>::max()) {
+        s.speeds.sound = s.parameters.water.sound_speed *
+                         water_sound_speed_ratio(all.least_j, s.parameters.water.exponent);
+    }
+}
+
+template <int D, class Real>
+void move_rigid(Simulation<D, Real>& s, double dt) {
+    std::size_t next = 0;
+    for (auto& particles : s.bodies) {
+        if (particles.material != Material::rigid) continue;
+        s.speeds.particle =
+            std::max(s.speeds.particle, move_rigid_body(s.grid, dt, s.rigid[next++], particles));
+    }
+}
+
+template <int D, class Real>
+void sort_if_needed(Simulation<D, Real>& s, double dt) {
+    s.drift += s.speeds.particle * dt / s.grid.layout.cell_size;
+    if (s.drift <= sorting_margin) return;
+    std::vector<std::vector<int>> block_of;
+    for (auto& particles : s.bodies) block_of.push_back(follow(s.grid, particles));
+    sort_into_blocks<D, Real>(s.grid, s.bodies, block_of);
+    s.drift = 0.0;
+}
+
+}  // namespace
+
+template <int D, class Real>
+std::size_t Simulation<D, Real>::particle_count() const {
+    std::size_t count = 0;
+    for (const auto& particles : bodies) count += particles.size();
+    return count;
+}
+
+template <int D, class Real>
+Simulation<D, Real> make_simulation(const Start<D>& start) {
+    Simulation<D, Real> s;
+    s.parameters = start.parameters;
+    s.grid.layout = Layout<D>(start.cell_size, start.cells);
+    std::vector<std::vector<int>> block_of;
+    std::uint32_t next_id = 0;
+    double least_j = 0.0;
+    for (const auto& body : start.bodies) {
+        if (body.points.empty()) continue;
+        Particles<D, Real>& particles = s.bodies.emplace_back();
+        const auto count = static_cast<double>(body.points.size());
+        particles.material = body.material;
+        particles.mass = body.mass / count;
+        particles.volume = body.volume / count;
+        block_of.push_back(place(s.grid.layout, body.points, next_id, particles));
+        next_id += static_cast<std::uint32_t>(body.points.size());
+        if (body.material == Material::rigid) {
+            s.rigid.push_back(make_rigid_body(body.points, start.cell_size, particles));
+        } else {
+            for (const auto& point : body.points) {
+                const double j =
+                    hydrostatic_j(body.surface - point[D - 1], s.parameters.gravity, s.parameters.water);
+                particles.j.push_back(static_cast<Real>(j));
+                least_j = std::min(least_j, j);
+            }
+            s.speeds.sound = s.parameters.water.sound_speed *
+                             water_sound_speed_ratio(least_j, s.parameters.water.exponent);
+        }
+    }
+    sort_into_blocks<D, Real>(s.grid, s.bodies, block_of);
+    return s;
+}
+
+template <int D, class Real>
+double stable_time_step(const Simulation<D, Real>& s) {
+    return s.parameters.cfl * s.grid.layout.cell_size / (s.speeds.sound + s.speeds.particle);
+}
+
+template <int D, class Real>
+void advance(Simulation<D, Real>& s, double dt) {
+    auto clock = Clock::now();
+    scatter_all(s, dt);
+    clock = charge(s, Phase::scatter, clock);
+    update_grid(s, dt);
+    clock = charge(s, Phase::grid, clock);
+    gather_all(s, dt);
+    clock = charge(s, Phase::gather, clock);
+    move_rigid(s, dt);
+    clock = charge(s, Phase::rigid, clock);
+    sort_if_needed(s, dt);
+    charge(s, Phase::sort, clock);
+    s.time += dt;
+    ++s.step;
+}
+
+template <int D, class Real>
+std::vector<float> grid_pressure(Simulation<D, Real>& s, std::size_t body) {
+    // Volume takes the place of mass and pressure that of one velocity component: P2G then averages it.
+    const auto bulk = static_cast<Real>(s.parameters.water.bulk_modulus());
+    const int exponent = s.parameters.water.exponent;
+    parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
+        Node<Real>* tile = s.grid.tile(slot);
+        std::fill_n(tile, Block<D>::tile_nodes, Node<Real>::Zero());
+        for (const auto& particles : s.bodies) {
+            if (particles.material != Material::water) continue;
+            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+                const Real volume = static_cast<Real>(particles.volume) * (Real(1) + particles.j[p]);
+                Vector<D, Real> weighted = Vector<D, Real>::Zero();
+                weighted[0] = volume * water_pressure(particles.j[p], bulk, exponent);
+                scatter<D, Real>(particles.position[p], volume, weighted, Matrix<D, Real>::Zero(), tile);
+            }
+        }
+    });
+    parallel_for(s.grid.node_blocks.size(), [&](std::size_t slot) {
+        sum_tiles(s.grid, slot, s.grid.block_nodes(slot));
+        update_velocities<D>(Real(0), s.grid.block_nodes(slot));
+    });
+    const Particles<D, Real>& particles = s.bodies[body];
+    std::vector<float> pressure(particles.size());
+    parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
+        std::array<Node<Real>, static_cast<std::size_t>(Block<D>::tile_nodes)> tile;
+        load_tile(s.grid, slot, tile.data());
+        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+            Vector<D, Real> value;
+            Matrix<D, Real> unused;
+            gather<D, Real>(particles.position[p], tile.data(), value, unused);
+            pressure[p] = static_cast<float>(value[0]);
+        }
+    });
+    return pressure;
+}
+
+template <int D, class Real>
+std::uint64_t state_hash(const Simulation<D, Real>& s) {
+    std::uint64_t hash = hash_start;
+    const auto add = [&](const auto& column) { hash = hash_bytes(std::as_bytes(std::span(column)), hash); };
+    for (const auto& particles : s.bodies) {
+        add(particles.position);
+        add(particles.velocity);
+        add(particles.gradient);
+        add(particles.j);
+        add(particles.id);
+        add(particles.begin);
+    }
+    return hash;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                                            \
+    template struct Simulation<D, Real>;                                          \
+    template Simulation<D, Real> make_simulation(const Start<D>&);                \
+    template double stable_time_step(const Simulation<D, Real>&);                 \
+    template void advance(Simulation<D, Real>&, double);                          \
+    template std::vector<float> grid_pressure(Simulation<D, Real>&, std::size_t); \
+    template std::uint64_t state_hash(const Simulation<D, Real>&);
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
+
+}  // namespace tidewater::mpm
