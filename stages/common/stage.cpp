@@ -60,12 +60,13 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                                         .command = command,
                                         .scene_hash = scene::scene_hash(scene),
                                         .seed = scene.seed}};
+    say(program, "writing " + context.folder.string());
     make_output_folder(context.folder);
     write_text(context.folder / "scene.toml", scene::resolved_text(scene));
     const ThreadLimit limit(options.threads);
     program.work(context);
     const std::chrono::duration<double> elapsed = Clock::now() - start;
-    say(program, context.folder.string() + " done in " + format_duration(elapsed.count()));
+    say(program, "took " + format_duration(elapsed.count()));
 }
 
 void read_and_run(const StageProgram& program, int argc, const char* const* argv,

@@ -1,0 +1,92 @@
+# shellcheck shell=bash
+# Shared by tools/run and tools/test: say what happens and how long it took, install what is missing, build.
+# Until install_packages has run, only what a bare Debian has is used: bash, coreutils, dpkg, apt.
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; }
+
+fail() { # CODE MESSAGE
+    say "$2"
+    exit "$1"
+}
+
+# timed WHAT COMMAND... runs the command and says how long it took; ends the script with its exit code if it fails.
+timed() {
+    local what=$1 start=$SECONDS code=0
+    shift
+    say "$what"
+    "$@" || code=$?
+    ((code == 0)) || fail "$code" "$what: failed after $((SECONDS - start)) s"
+    say "$what: took $((SECONDS - start)) s"
+}
+
+# quietly COMMAND... shows the command's output only if it fails.
+quietly() {
+    local output code=0
+    output=$("$@" 2>&1 </dev/null) || code=$?
+    ((code == 0)) || printf '%s\n' "$output" >&2
+    return "$code"
+}
+
+missing_packages() {
+    local package
+    while read -r package; do
+        [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
+            printf '%s\n' "$package"
+    done <"$project/tools/packages"
+}
+
+can_be_root() {
+    ((EUID == 0)) && return
+    command -v sudo >/dev/null || return 1
+    sudo --non-interactive true 2>/dev/null || { [[ -t 0 ]] && sudo --validate; }
+}
+
+as_root() {
+    if ((EUID == 0)); then
+        "$@"
+    else
+        sudo "$@"
+    fi
+}
+
+apt_get() { quietly as_root env DEBIAN_FRONTEND=noninteractive apt-get --yes "$@"; }
+
+install_packages() {
+    local missing
+    mapfile -t missing < <(missing_packages)
+    if ((${#missing[@]} == 0)); then
+        say "all packages are installed"
+        return
+    fi
+    local by_hand="apt-get install --no-install-recommends ${missing[*]}"
+    command -v apt-get >/dev/null || fail 1 "no apt-get here; install what Debian calls ${missing[*]}, then run again"
+    can_be_root || fail 1 "packages are missing and this user is neither root nor has sudo; as root run: $by_hand"
+    timed "updating the lists of packages" apt_get update
+    timed "installing (a few minutes): ${missing[*]}" apt_get install --no-install-recommends "${missing[@]}"
+}
+
+available_kilobytes() {
+    local name value
+    while read -r name value _; do
+        [[ $name == MemAvailable: ]] && echo "$value"
+    done </proc/meminfo
+}
+
+# As many compile jobs as there are cores, and memory for 1 GB each.
+build_jobs() {
+    local cores jobs
+    cores=$(nproc)
+    jobs=$(($(available_kilobytes) / 1000000))
+    ((jobs < cores)) || jobs=$cores
+    echo $((jobs > 1 ? jobs : 1))
+}
+
+# build FOLDER TYPE TARGET configures the folder if that was not done and builds what is not up to date.
+build() {
+    local folder=$1 type=$2 target=$3
+    [[ -f $folder/build.ninja ]] ||
+        timed "configuring $folder ($type)" quietly cmake -G Ninja -S "$project" -B "$folder" -D CMAKE_BUILD_TYPE="$type"
+    timed "building $folder" cmake --build "$folder" --parallel "$(build_jobs)" --target "$target"
+}
