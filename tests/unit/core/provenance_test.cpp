@@ -1,0 +1,40 @@
+#include "core/provenance.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace tidewater;
+
+namespace {
+
+std::string command(const std::vector<const char*>& words) {
+    return reproducible_command(static_cast<int>(words.size()), words.data());
+}
+
+}  // namespace
+
+TEST_CASE("the command leaves out the folder of the program") {
+    CHECK(command({"/opt/bin/tidewater-simulate", "configs/a.toml"}) == "tidewater-simulate configs/a.toml");
+}
+
+TEST_CASE("the command leaves out the threads and the folder of the run, in both spellings") {
+    CHECK(command({"x", "a.toml", "--threads", "4", "--set", "b=1"}) == "x a.toml --set b=1");
+    CHECK(command({"x", "--threads=4", "--run=c", "a.toml"}) == "x a.toml");
+    CHECK(command({"x", "a.toml", "--run", "c"}) == "x a.toml");
+}
+
+TEST_CASE("a command that ends with an option without its value, or is empty, is no trouble") {
+    CHECK(command({"x", "--threads"}) == "x");
+    CHECK(command({}) == "");
+}
+
+TEST_CASE("the fields come in a fixed order") {
+    const auto fields = provenance_fields({"program", "1.0", "program a.toml", "00ff", 7});
+    const std::vector<std::pair<std::string, std::string>> expected{{"program", "program"},
+                                                                    {"version", "1.0"},
+                                                                    {"command", "program a.toml"},
+                                                                    {"scene_hash", "00ff"},
+                                                                    {"seed", "7"}};
+    CHECK(fields == expected);
+}
