@@ -1,0 +1,134 @@
+#include <doctest/doctest.h>
+
+#include "unit/scene/fixture.h"
+
+using namespace tidewater;
+using namespace tidewater::scene;
+using Lines = std::vector<std::string>;
+
+TEST_CASE("walls lie on cell edges, and the nearest size that does is told") {
+    CHECK(set_problem("domain.size=[16.004, 1]") ==
+          "16.004 m along x is not a whole number of cells of 0.01 m; walls lie on cell edges, the nearest "
+          "is 16 m");
+    CHECK(problem(water_scene_3d, {"domain.size=[4, 2.07, 1.02]"}) ==
+          "--set domain.size=[4, 2.07, 1.02]: 2.07 m along y is not a whole number of cells of 0.1 m; walls "
+          "lie on cell "
+          "edges, the nearest is 2.1 m\n"
+          "--set domain.size=[4, 2.07, 1.02]: 1.02 m along z is not a whole number of cells of 0.1 m; walls "
+          "lie on cell "
+          "edges, the nearest is 1 m");
+}
+
+TEST_CASE("a size that is a whole number of cells but for rounding is in order") {
+    CHECK(problem(water_scene_3d, {"domain.size=[0.7, 0.9, 1.1]"}) == "");
+    CHECK(set_problem("domain.size=[16.000000001, 1]") == "");
+}
+
+TEST_CASE("the cell size must resolve the thinnest thing, which is named with the largest size that works") {
+    CHECK(set_problem("domain.cell_size=0.1") ==
+          "0.1 m is too coarse for the block, 0.25 m thick (block.size): it needs 4 cells, so 0.0625 m at "
+          "most");
+    CHECK(set_problem("water.depth=0.03") ==
+          "a.toml:4: domain.cell_size: 0.01 m is too coarse for the water, 0.03 m thick (water.depth): it "
+          "needs 4 cells, "
+          "so 0.0075 m at most");
+    CHECK(set_problem("water.length=0.02") ==
+          "a.toml:4: domain.cell_size: 0.01 m is too coarse for the water, 0.02 m thick (water.length): it "
+          "needs 4 "
+          "cells, so 0.005 m at most");
+    CHECK(problem(water_scene_3d, {"domain.size=[4, 0.2, 1]"}) ==
+          "a.toml:4: domain.cell_size: 0.1 m is too coarse for the tank, 0.2 m thick (domain.size): it needs "
+          "4 cells, "
+          "so 0.05 m at most");
+}
+
+TEST_CASE("a thing of exactly four cells is resolved") {
+    CHECK(set_problem("water.depth=0.04") == "");
+    CHECK(problem(water_scene_3d, {"water.depth=0.4", "domain.size=[4, 0.4, 1]"}) == "");
+}
+
+TEST_CASE("the water lies inside the tank") {
+    CHECK(set_problem("water.depth=1") == "");
+    CHECK(set_problem("water.depth=1.5") ==
+          "1.5 m is above the tank's top at 1 m; lower it or raise domain.size");
+    CHECK(set_problem("water.length=16") == "");
+    CHECK(set_problem("water.length=17") ==
+          "17 m is beyond the tank's end at 16 m; shorten it or lengthen domain.size");
+}
+
+TEST_CASE("a block may touch the walls") {
+    CHECK(set_problem("block.center=[0.25, 0.125]") == "");
+    CHECK(set_problem("block.center=[15.75, 0.875]") == "");
+}
+
+TEST_CASE("a block outside the tank is told with its extent and the tank's") {
+    CHECK(set_problem("block.center=[0.2, 0.5]") ==
+          "the block lies outside the tank: along x it reaches from -0.05 m to 0.45 m, the tank from 0 m to "
+          "16 m; move "
+          "block.center or shrink block.size");
+    CHECK(set_problem("block.center=[20, 0.9]") ==
+          "the block lies outside the tank: along x it reaches from 19.75 m to 20.25 m, the tank from 0 m to "
+          "16 m; move "
+          "block.center or shrink block.size\n"
+          "--set block.center=[20, 0.9]: the block lies outside the tank: along z it reaches from 0.775 m to "
+          "1.025 m, "
+          "the tank from 0 m to 1 m; move block.center or shrink block.size");
+}
+
+TEST_CASE("a block is inside the tank only if its turned corners are") {
+    const Sets in_the_middle{"block.center=[0.27, 0.5]", "block.angle=90"};
+    CHECK(problem(block_scene, in_the_middle) == "");
+    CHECK(problem(block_scene, {"block.center=[0.27, 0.5]", "block.angle=30"})
+              .find("along x it reaches from -0.00900635 m to 0.549006 m") != std::string::npos);
+    CHECK(problem(block_scene, {"block.center=[0.27, 0.5]", "block.angle=-150"}) ==
+          problem(block_scene, {"block.center=[0.27, 0.5]", "block.angle=30"}));
+}
+
+TEST_CASE("a block in 3D turns in the x–z plane only") {
+    const Sets block{"effects=[\"water\", \"rigid\"]", "block.size=[1, 2, 0.5]", "block.center=[2, 1, 0.5]"};
+    CHECK(problem(water_scene_3d, block) == "");
+    Sets turned = block;
+    turned.push_back("block.angle=90");
+    CHECK(problem(water_scene_3d, turned) == "");
+    turned[2] = "block.center=[2, 1.1, 0.5]";
+    CHECK(problem(water_scene_3d, turned).find("along y it reaches from 0.1 m to 2.1 m") !=
+          std::string::npos);
+}
+
+TEST_CASE("gauges of both stages lie inside the tank") {
+    CHECK(set_problem("simulate.gauges=[0, 16]") == "");
+    CHECK(set_problem("simulate.gauges=[2, 20]") ==
+          "outside the tank, which ends at x = 16 m: 20; move or remove what is");
+    CHECK(set_problem("postprocess.gauges=[20, 2, 30]") ==
+          "outside the tank, which ends at x = 16 m: 20, 30; move or remove what is");
+}
+
+TEST_CASE("pictures are of times within the run") {
+    CHECK(set_problem("postprocess.picture_times=[0, 10]") == "");
+    CHECK(set_problem("postprocess.picture_times=[11]") ==
+          "later than simulate.end_time = 10 s: 11; move or remove what is");
+}
+
+TEST_CASE("intervals are no longer than the run") {
+    CHECK(set_problem("simulate.snapshot_interval=10") == "");
+    CHECK(set_problem("simulate.snapshot_interval=11") ==
+          "11 s is longer than the run of 10 s (simulate.end_time); shorten it");
+    CHECK(set_problem("simulate.gauge_interval=11") ==
+          "11 s is longer than the run of 10 s (simulate.end_time); shorten it");
+}
+
+TEST_CASE("a check is left out where a key that it needs is wrong") {
+    CHECK(problems(block_scene, {"domain.cell_size=x", "block.center=[20, 0.5]"}) ==
+          Lines{"--set domain.cell_size=x: needs a number in m, e.g. cell_size = 0.01; got text \"x\""});
+    CHECK(problems(block_scene, {"effects=[\"ice\"]", "water.depth=9"}).size() == 1);
+    CHECK(problems(block_scene, {"dimension=5", "domain.size=[1]"}).size() == 1);
+}
+
+TEST_CASE("water that is too soft for the fastest flow is warned of") {
+    CHECK(scene_warnings(read_text_as_scene(block_scene)).empty());
+    CHECK(scene_warnings(read_text_as_scene(block_scene, {"water.sound_speed=45"})).empty());
+    CHECK(scene_warnings(read_text_as_scene(block_scene, {"water.sound_speed=40"})) ==
+          Lines{"water.sound_speed: 40 m/s is less than 10 times the fastest expected flow, √(2 g H) = "
+                "4.42945 m/s, so "
+                "the water will compress by more than 1 %; 45 m/s would do"});
+}
