@@ -33,9 +33,10 @@ std::vector<Setting> settings_of(const std::vector<Entry>& entries, const std::v
         const std::string place = file + ":" + std::to_string(entry.line) + ": " + entry.key;
         settings.push_back({entry.key, place, entry.value, find_key(entry.key), {}});
     }
-    for (const auto& [key, value] : overrides) {
-        std::erase_if(settings, [&](const Setting& earlier) { return earlier.name == key; });
-        settings.push_back({key, "--set " + key + "=" + value, parse_value(value), find_key(key), {}});
+    for (const Override& set : overrides) {
+        std::erase_if(settings, [&](const Setting& earlier) { return earlier.name == set.key; });
+        const std::string place = "--set " + set.key + "=" + set.value;
+        settings.push_back({set.key, place, parse_value(set.value), find_key(set.key), {}});
     }
     return settings;
 }
