@@ -14,7 +14,7 @@ std::string reproducible_command(int argc, const char* const* argv) {
         if (word == "--threads" || word == "--run") {
             ++i;
         } else if (!word.starts_with("--threads=") && !word.starts_with("--run=")) {
-            command += " " + std::string(word);
+            command.append(" ").append(word);
         }
     }
     return command;
