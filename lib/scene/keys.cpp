@@ -12,7 +12,7 @@ using mpm::WaterModel;
 constexpr Range positive{.least = 0.0, .open = true};
 constexpr Range not_negative{.least = 0.0};
 
-constexpr std::array top_keys{
+constexpr std::array keys{
     Key{.name = "title",
         .member = member<&S::title>(),
         .example = "\"A block falls into the tank\"",
@@ -31,9 +31,7 @@ constexpr std::array top_keys{
         .member = member<&S::seed>(),
         .stages = geometry | simulate,
         .help = "of all random numbers; the same seed gives the same bytes"},
-};
 
-constexpr std::array domain_keys{
     Key{.name = "domain.size",
         .unit = "m",
         .member = member<&S::domain, &S::Domain::size>(),
@@ -81,9 +79,7 @@ constexpr std::array domain_keys{
         .member = member<&S::domain, &S::Domain::wall_top>(),
         .stages = simulate,
         .help = "at the greatest z"},
-};
 
-constexpr std::array water_keys{
     Key{.name = "water.depth",
         .unit = "m",
         .member = member<&S::water, &S::Water::depth>(),
@@ -119,9 +115,7 @@ constexpr std::array water_keys{
         .effect = "water",
         .stages = simulate,
         .help = "θ of the equation of state"},
-};
 
-constexpr std::array block_keys{
     Key{.name = "block.size",
         .unit = "m",
         .member = member<&S::block, &S::Block::size>(),
@@ -155,9 +149,7 @@ constexpr std::array block_keys{
         .effect = "rigid",
         .stages = simulate,
         .help = "ice: 900 to 920"},
-};
 
-constexpr std::array particles_keys{
     Key{.name = "particles.per_axis",
         .member = member<&S::particles, &S::Particles::per_axis>(),
         .range = {.least = 1, .most = 8},
@@ -168,9 +160,7 @@ constexpr std::array particles_keys{
         .range = {.least = 0.0, .most = 1.0},
         .stages = simulate,
         .help = "0: a lattice; 1: anywhere within the particle's own share of the cell"},
-};
 
-constexpr std::array simulate_keys{
     Key{.name = "simulate.end_time",
         .unit = "s",
         .member = member<&S::simulate, &S::Simulate::end_time>(),
@@ -209,9 +199,7 @@ constexpr std::array simulate_keys{
         .range = {.least = 0.0, .most = 1.0, .open = true},
         .stages = simulate,
         .help = "share of a cell that a wave or a particle may cross in one step"},
-};
 
-constexpr std::array postprocess_keys{
     Key{.name = "postprocess.gauges",
         .unit = "m",
         .member = member<&S::postprocess, &S::Postprocess::gauges>(),
@@ -245,28 +233,11 @@ constexpr std::array postprocess_keys{
         .help = "a wave has arrived at this share of the gauge's greatest amplitude"},
 };
 
-std::vector<Key> joined_keys() {
-    std::vector<Key> keys;
-    const auto append = [&](const auto& section) { keys.insert(keys.end(), section.begin(), section.end()); };
-    append(top_keys);
-    append(domain_keys);
-    append(water_keys);
-    append(block_keys);
-    append(particles_keys);
-    append(simulate_keys);
-    append(postprocess_keys);
-    return keys;
-}
-
 }  // namespace
 
-std::span<const Key> all_keys() {
-    static const std::vector<Key> keys = joined_keys();
-    return keys;
-}
+std::span<const Key> all_keys() { return keys; }
 
 const Key* find_key(std::string_view name) {
-    const auto keys = all_keys();
     const auto found = std::ranges::find(keys, name, &Key::name);
     return found == keys.end() ? nullptr : &*found;
 }
