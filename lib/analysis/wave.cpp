@@ -7,8 +7,10 @@
 namespace tidewater::analysis {
 namespace {
 
-constexpr double smoothing = 0.1;   // deviation, in √(D/g)
-constexpr double crest_drop = 0.1;  // in the record's greatest |η|
+constexpr double smoothing = 0.1;  // deviation, in √(D/g)
+// In the record's greatest |η|, which is `scale` below.
+constexpr double crest_drop = 0.1;  // a smaller fall is a ripple
+constexpr double crest_fit = 0.2;   // the parabola goes through what lies within this of the crest
 
 // Greatest |η| among the first `count` samples; 0 if all are NaN.
 double greatest_excursion(std::span<const double> value, std::size_t count) {
@@ -23,25 +25,26 @@ std::size_t count_until(std::span<const double> time, double end) {
     return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), end) - time.begin());
 }
 
-void find_extremes(std::span<const double> time, std::span<const double> value, double drop,
+void find_extremes(std::span<const double> time, std::span<const double> value, double scale,
                    GaugeWave& wave) {
     std::size_t greatest = 0;
     for (std::size_t i = 0; i < value.size(); ++i) {
         if (!(value[i] <= value[greatest])) greatest = std::isnan(value[i]) ? greatest : i;
         if (!(value[i] >= wave.lowest) && !std::isnan(value[i])) wave.lowest = value[i];
     }
-    const Extremum crest = fit_crest(time, value, greatest, drop);
+    const Extremum crest = fit_crest(time, value, greatest, crest_fit * scale);
     wave.greatest = crest.value;
     wave.greatest_time = crest.time;
 }
 
 // The leading wave's crest is the first that rises above `margin`; a trough may lead it.
 void find_leading_wave(std::span<const double> time, std::span<const double> value, double margin,
-                       double drop, std::span<const double> crossings, GaugeWave& wave) {
+                       double scale, std::span<const double> crossings, GaugeWave& wave) {
     const auto risen = std::find_if(value.begin(), value.end(), [&](double v) { return v > margin; });
-    const std::size_t peak = find_crest(value, static_cast<std::size_t>(risen - value.begin()), drop);
+    const std::size_t peak =
+        find_crest(value, static_cast<std::size_t>(risen - value.begin()), crest_drop * scale);
     if (peak == value.size()) return;
-    const Extremum crest = fit_crest(time, value, peak, drop);
+    const Extremum crest = fit_crest(time, value, peak, crest_fit * scale);
     wave.crest = crest.value;
     wave.crest_time = crest.time;
 
@@ -103,11 +106,11 @@ GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const 
     const auto value = std::span(all).first(count);
     const auto until = time.first(count);
     const double greatest = greatest_excursion(value, count);
-    find_extremes(until, value, crest_drop * greatest, wave);
+    find_extremes(until, value, greatest, wave);
     if (std::isnan(wave.arrival)) return wave;
     const double margin = settings.arrival_threshold * greatest;
     const auto crossings = zero_up_crossings(until, value, margin);
-    find_leading_wave(until, value, margin, crest_drop * greatest, crossings, wave);
+    find_leading_wave(until, value, margin, greatest, crossings, wave);
     if (crossings.size() > 1) {
         wave.mean_period = (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
     }

@@ -43,8 +43,9 @@ struct GaugeWave {
     double record_end = none;     // s; when the reflection comes back or the record ends
 };
 
-// time and elevation (η, m; NaN where dry) have the same length, which may be 0. See series.h for how a crest
-// is told from a ripple (it falls by 0.1 of the greatest |η|) and interpolated, and for zero-up-crossings.
+// time and elevation (η, m; NaN where dry) have the same length, which may be 0. A crest falls by at least
+// 0.1 of the record's greatest |η|, else it is a ripple; its time and height come from a parabola through
+// what lies within 0.2 of it. Zero-up-crossings use the arrival's threshold as margin. See series.h.
 GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const double> elevation,
                         const WaveSettings& settings);
 
