@@ -44,8 +44,8 @@ inline Snapshot test_snapshot(std::size_t count) {
     snapshot.time = 1.25;
     for (std::size_t i = 0; i < count; ++i) {
         const auto value = static_cast<float>(i);
-        snapshot.points.insert(snapshot.points.end(), {0.5f * value, 0.0f, 2.0f + 0.25f * value});
-        snapshot.velocity.insert(snapshot.velocity.end(), {3.0f * value, 0.0f, -4.0f * value});
+        for (const float part : {0.5f * value, 0.0f, 2.0f + 0.25f * value}) snapshot.points.push_back(part);
+        for (const float part : {3.0f * value, 0.0f, -4.0f * value}) snapshot.velocity.push_back(part);
         snapshot.pressure.push_back(1000.0f + value);
         snapshot.volume.push_back(0.25f);
         snapshot.material.push_back(

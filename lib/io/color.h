@@ -1,0 +1,42 @@
+// Colours of pictures and charts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace tidewater::io {
+
+struct Color {
+    std::uint8_t red = 0, green = 0, blue = 0;  // sRGB
+    bool operator==(const Color&) const = default;
+};
+
+namespace palette {
+inline constexpr Color paper{255, 255, 255};
+inline constexpr Color ink{38, 42, 48};
+inline constexpr Color faint{200, 204, 210};
+inline constexpr Color air{246, 248, 250};
+inline constexpr Color rigid{226, 168, 92};
+inline constexpr Color ice{214, 232, 240};
+}  // namespace palette
+
+// Lines that stay apart for all common kinds of colour blindness (Okabe & Ito 2008). index is taken modulo
+// their number.
+Color line_color(std::size_t index);
+
+// Colour of a quantity from 0 to 1, clamped: from dark blue over green to pale yellow. Lightness increases
+// monotonically and equal steps look equal, as distances in OKLab (Ottosson 2020), so that it also reads in
+// grey and with colour blindness.
+Color scale_color(double share);
+
+// The colour with its light multiplied by `factor` >= 0; above 1 towards white.
+Color shaded(Color color, double factor);
+
+// L, a, b in OKLab; L is from 0 (black) to 1 (white).
+std::array<double, 3> to_oklab(Color color);
+
+// "#0a1b2c"
+std::string hex(Color color);
+
+}  // namespace tidewater::io

@@ -1,0 +1,39 @@
+// One frame as an annotated picture: particles coloured by speed, blocks, the still-water level, gauges, axes
+// in m.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/canvas.h"
+
+namespace tidewater::io {
+
+// Flat arrays as in Snapshot.
+struct PictureParticles {
+    std::span<const float> points;           // m, (x, y, z) per particle
+    std::span<const float> velocity;         // m/s, (x, y, z) per particle
+    std::span<const std::uint8_t> material;  // numbers of core's Material
+};
+
+struct PictureSettings {
+    int dimension = 2;
+    std::array<double, 3> size{};   // m, of the tank from the origin; y is not read in 2D
+    double particle_spacing = 0.0;  // m, > 0
+    double still_level = 0.0;       // z of the still water surface, m
+    double greatest_speed = 1.0;    // m/s, the colour scale's upper end, > 0
+    double time = 0.0;              // s
+    std::string title;
+    std::vector<double> gauges;  // x, m
+    int width = 1600;            // pixels, at least 400; the height follows from the tank
+};
+
+// Water is coloured by its speed, other materials each by their own colour with a dark outline. 2D: the x-z
+// plane. 3D: a parallel projection from the front, right and above, with shading. The same particles give the
+// same picture.
+Canvas draw_picture(const PictureParticles& particles, const PictureSettings& settings);
+
+}  // namespace tidewater::io
