@@ -1,0 +1,216 @@
+#include "io/chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "io/axis.h"
+#include "io/color.h"
+#include "io/text.h"
+
+namespace tidewater::io {
+namespace {
+
+constexpr double margin_left = 78, margin_right = 24, margin_top = 72, margin_bottom = 52, gap = 14;
+
+std::string number(double value) { return format_fixed(value, 2); }
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+
+    void include(double value) {
+        if (!std::isfinite(value)) return;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+
+    // With a share of its length added on both sides; of length 1 if it holds one value, from 0 to 1 if none.
+    Range padded(double share) const {
+        if (low > high) return {0.0, 1.0};
+        if (low == high) return {low - 0.5, high + 0.5};
+        return {low - share * (high - low), high + share * (high - low)};
+    }
+};
+
+// A panel's frame on the page and the values at its edges.
+struct Frame {
+    double left, right, top, bottom;
+    Range x, y;
+
+    double at_x(double value) const { return left + (right - left) * (value - x.low) / (x.high - x.low); }
+    double at_y(double value) const { return bottom - (bottom - top) * (value - y.low) / (y.high - y.low); }
+};
+
+std::string svg_line(double x1, double y1, double x2, double y2, const std::string& style) {
+    return "<line x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) + "\" y2=\"" +
+           number(y2) + "\" " + style + "/>\n";
+}
+
+std::string svg_text(double x, double y, const std::string& anchor, const std::string& text,
+                     const std::string& style = {}) {
+    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\" " + style +
+           ">" + escape_xml(text) + "</text>\n";
+}
+
+std::string svg_dot(double x, double y, std::size_t color) {
+    return "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"4\" fill=\"" +
+           hex(line_color(color)) + "\" stroke=\"white\"/>\n";
+}
+
+std::string stroke(std::size_t color, double width, const char* dashes = nullptr) {
+    std::string style =
+        "fill=\"none\" stroke=\"" + hex(line_color(color)) + "\" stroke-width=\"" + number(width) + "\"";
+    if (dashes) style += std::string(" stroke-dasharray=\"") + dashes + "\"";
+    return style;
+}
+
+std::string line_style(const ChartLine& line) {
+    return stroke(line.color, 1.6, line.dashed ? "7 4" : nullptr);
+}
+
+std::string rule_style(const ChartMark& mark) { return stroke(mark.color, 1.2, "3 3"); }
+
+Range x_range(const Chart& chart) {
+    Range range;
+    for (const ChartPanel& panel : chart.panels) {
+        for (const ChartLine& line : panel.lines) {
+            for (const double x : line.x) range.include(x);
+        }
+    }
+    return range.padded(0.0);
+}
+
+void include_y(const ChartPanel& panel, Range& range) {
+    for (const ChartLine& line : panel.lines) {
+        for (const double y : line.y) range.include(y);
+    }
+    for (const ChartMark& mark : panel.marks) {
+        if (mark.shape == MarkShape::dot) range.include(mark.y);
+    }
+}
+
+std::string draw_axes(const Frame& frame, const ChartPanel& panel, bool last) {
+    const std::string grid = "stroke=\"" + hex(palette::faint) + "\" stroke-width=\"0.7\"";
+    std::string svg;
+    const Ticks along = make_ticks(frame.x.low, frame.x.high, 12);
+    for (std::size_t i = 0; i < along.values.size(); ++i) {
+        const double x = frame.at_x(along.values[i]);
+        svg += svg_line(x, frame.top, x, frame.bottom, grid);
+        if (last) svg += svg_text(x, frame.bottom + 17, "middle", along.labels[i]);
+    }
+    const int count = std::max(2, static_cast<int>((frame.bottom - frame.top) / 30));
+    const Ticks upward = make_ticks(frame.y.low, frame.y.high, count);
+    for (std::size_t i = 0; i < upward.values.size(); ++i) {
+        const double y = frame.at_y(upward.values[i]);
+        svg += svg_line(frame.left, y, frame.right, y, grid);
+        svg += svg_text(frame.left - 7, y + 4, "end", upward.labels[i]);
+    }
+    svg += "<rect x=\"" + number(frame.left) + "\" y=\"" + number(frame.top) + "\" width=\"" +
+           number(frame.right - frame.left) + "\" height=\"" + number(frame.bottom - frame.top) +
+           "\" fill=\"none\" stroke=\"" + hex(palette::ink) + "\"/>\n";
+    const std::string place = number(frame.left - 58) + " " + number(0.5 * (frame.top + frame.bottom));
+    svg += svg_text(0, 0, "middle", panel.y_label, "transform=\"translate(" + place + ") rotate(-90)\"");
+    return svg;
+}
+
+std::string draw_line(const Frame& frame, const ChartLine& line) {
+    std::string path, dots;
+    bool pen_down = false;
+    for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i) {
+        if (!std::isfinite(line.x[i]) || !std::isfinite(line.y[i])) {
+            pen_down = false;
+            continue;
+        }
+        const double x = frame.at_x(line.x[i]), y = frame.at_y(line.y[i]);
+        path += (pen_down ? "L" : "M") + number(x) + " " + number(y);
+        pen_down = true;
+        if (line.dots) dots += svg_dot(x, y, line.color);
+    }
+    return path.empty() ? path : "<path d=\"" + path + "\" " + line_style(line) + "/>\n" + dots;
+}
+
+std::string draw_mark(const Frame& frame, const ChartMark& mark) {
+    if (!std::isfinite(mark.x) || mark.x < frame.x.low || mark.x > frame.x.high) return {};
+    const double x = frame.at_x(mark.x);
+    if (mark.shape == MarkShape::rule) {
+        return svg_line(x, frame.top, x, frame.bottom, rule_style(mark)) +
+               svg_text(x - 5, frame.bottom - 6, "end", mark.note);
+    }
+    if (!std::isfinite(mark.y)) return {};
+    return svg_dot(x, frame.at_y(mark.y), mark.color) +
+           svg_text(x + 8, frame.at_y(mark.y) - 3, "start", mark.note);
+}
+
+std::string draw_legend(const Chart& chart, double y) {
+    std::string svg;
+    std::vector<std::string> named;
+    double x = margin_left;
+    const auto entry = [&](const std::string& label, const std::string& symbol) {
+        if (label.empty() || std::ranges::find(named, label) != named.end()) return;
+        named.push_back(label);
+        svg += "<g transform=\"translate(" + number(x) + " " + number(y) + ")\">" + symbol + "</g>\n";
+        svg += svg_text(x + 30, y + 4, "start", label);
+        x += 54.0 + 7.0 * static_cast<double>(label.size());
+    };
+    for (const ChartPanel& panel : chart.panels) {
+        for (const ChartLine& line : panel.lines) {
+            entry(line.label,
+                  svg_line(0, 0, 24, 0, line_style(line)) + (line.dots ? svg_dot(12, 0, line.color) : ""));
+        }
+        for (const ChartMark& mark : panel.marks) {
+            const bool rule = mark.shape == MarkShape::rule;
+            entry(mark.label, rule ? svg_line(12, -8, 12, 8, rule_style(mark)) : svg_dot(12, 0, mark.color));
+        }
+    }
+    return svg;
+}
+
+std::string metadata(const Provenance& provenance) {
+    std::string svg = "<metadata>\n";
+    for (const auto& [name, text] : provenance_fields(provenance))
+        svg += name + ": " + escape_xml(text) + "\n";
+    return svg + "</metadata>\n";
+}
+
+std::string draw_panel(const Frame& frame, const ChartPanel& panel, bool last) {
+    std::string svg = draw_axes(frame, panel, last);
+    for (const ChartLine& line : panel.lines) svg += draw_line(frame, line);
+    for (const ChartMark& mark : panel.marks) svg += draw_mark(frame, mark);
+    if (!panel.title.empty()) {
+        svg += svg_text(frame.left + 9, frame.top + 17, "start", panel.title,
+                        "font-weight=\"bold\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\"");
+    }
+    return svg;
+}
+
+}  // namespace
+
+std::string draw_chart(const Chart& chart, const Provenance& provenance) {
+    const auto count = static_cast<double>(chart.panels.size());
+    const double height = margin_top + count * chart.panel_height + (count - 1.0) * gap + margin_bottom;
+    const Range x = x_range(chart);
+    Range all;
+    for (const ChartPanel& panel : chart.panels) include_y(panel, all);
+
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(chart.width) +
+                      "\" height=\"" + number(height) + "\" viewBox=\"0 0 " + number(chart.width) + " " +
+                      number(height) +
+                      "\" font-family=\"DejaVu Sans, Arial, sans-serif\" font-size=\"12\" fill=\"" +
+                      hex(palette::ink) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+    svg += metadata(provenance);
+    svg += svg_text(margin_left, 28, "start", chart.title, "font-size=\"16\"");
+    svg += draw_legend(chart, 52);
+    double top = margin_top;
+    for (std::size_t i = 0; i < chart.panels.size(); ++i) {
+        Range own;
+        include_y(chart.panels[i], own);
+        const Range y = (chart.one_y_range ? all : own).padded(0.12);
+        const Frame frame{margin_left, chart.width - margin_right, top, top + chart.panel_height, x, y};
+        svg += draw_panel(frame, chart.panels[i], i + 1 == chart.panels.size());
+        top = frame.bottom + gap;
+    }
+    svg += svg_text(0.5 * (margin_left + chart.width - margin_right), height - 12, "middle", chart.x_label);
+    return svg + "</svg>\n";
+}
+
+}  // namespace tidewater::io

@@ -1,0 +1,51 @@
+// Line charts as SVG: panels below each other over one horizontal axis, with ticks, grid, units and a legend.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/provenance.h"
+
+namespace tidewater::io {
+
+struct ChartLine {
+    std::string label;         // in the legend; lines of one label share their entry, empty: none
+    std::vector<double> x, y;  // of one length; a y that is not finite leaves a gap
+    std::size_t color = 0;     // index of line_color
+    bool dashed = false;
+    bool dots = false;  // at the points
+};
+
+enum class MarkShape { dot, rule };  // a filled circle; a vertical line through the panel
+
+// Not drawn if x, or y of a dot, is not finite.
+struct ChartMark {
+    std::string label;  // as for ChartLine
+    MarkShape shape = MarkShape::dot;
+    double x = 0.0, y = 0.0;  // y is not read for a rule
+    std::size_t color = 1;
+    std::string note;  // beside the mark
+};
+
+struct ChartPanel {
+    std::string title;    // within the panel, upper left
+    std::string y_label;  // with its unit: "η (m)"
+    std::vector<ChartLine> lines;
+    std::vector<ChartMark> marks;
+};
+
+struct Chart {
+    std::string title;
+    std::string x_label;  // with its unit: "time (s)"
+    std::vector<ChartPanel> panels;
+    double width = 960.0;         // pixels
+    double panel_height = 120.0;  // pixels
+    bool one_y_range = false;     // all panels have the range of y that holds them all
+};
+
+// The whole SVG file, with the provenance as its metadata. Texts may be any UTF-8. A chart without points has
+// axes from 0 to 1.
+std::string draw_chart(const Chart& chart, const Provenance& provenance);
+
+}  // namespace tidewater::io

@@ -1,0 +1,90 @@
+#include "io/chart.h"
+
+#include <doctest/doctest.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
+
+#include <cmath>
+#include <string>
+
+#include "unit/io/fixture.h"
+
+using namespace tidewater;
+using namespace tidewater::io;
+
+namespace {
+
+Chart two_panels() {
+    const double gap = std::nan("");
+    Chart chart{.title = "a < b & \"c\"", .x_label = "time (s)", .panels = {}};
+    for (const char* title : {"x = 2 m", "x = 4 m"}) {
+        ChartPanel panel{.title = title, .y_label = "η (m)", .lines = {}, .marks = {}};
+        panel.lines = {{.label = "η", .x = {0, 1, 2, 3, 4}, .y = {0, 0.1, gap, 0.2, 0}}};
+        panel.marks = {{.label = "crest", .x = 3, .y = 0.2, .note = "0.2 m"},
+                       {.label = "arrival", .shape = MarkShape::rule, .x = 1, .note = {}},
+                       {.label = "none", .x = gap, .y = gap, .note = {}}};
+        chart.panels.push_back(panel);
+    }
+    return chart;
+}
+
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+bool well_formed(const std::string& svg) {
+    const auto root =
+        vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromString(svg.c_str()));
+    return root && std::string(root->GetName()) == "svg";
+}
+
+}  // namespace
+
+TEST_CASE("a chart is well-formed XML, whatever its texts") {
+    const std::string svg = draw_chart(two_panels(), test_provenance());
+    CHECK(well_formed(svg));
+    CHECK(svg.find("a &lt; b &amp; &quot;c&quot;") != std::string::npos);
+    CHECK(svg.find("tidewater-test a.toml") != std::string::npos);
+}
+
+TEST_CASE("gaps interrupt a line, and marks without a place are left out") {
+    const std::string svg = draw_chart(two_panels(), test_provenance());
+    CHECK(count(svg, "<path") == 2);
+    const auto path = svg.substr(svg.find("<path"), svg.find("/>", svg.find("<path")) - svg.find("<path"));
+    CHECK(count(path, "M") == 2);
+    CHECK(count(path, "L") == 2);
+    CHECK(count(svg, "<circle") == 2 + 2);  // one per panel; the legend's for "crest" and for "none"
+    CHECK(svg.find("nan") == std::string::npos);
+}
+
+TEST_CASE("each label is in the legend once, and the lower panel alone has the times") {
+    const std::string svg = draw_chart(two_panels(), test_provenance());
+    CHECK(count(svg, ">arrival<") == 1);
+    CHECK(count(svg, ">η (m)<") == 2);
+    CHECK(count(svg, ">time (s)<") == 1);
+    CHECK(count(svg, ">2.5<") == 1);
+}
+
+TEST_CASE("one range of y makes panels comparable") {
+    Chart chart = two_panels();
+    chart.panels[1].lines[0].y = {0, 10, 0, 0, 0};
+    CHECK(count(draw_chart(chart, test_provenance()), ">10<") == 1);
+    chart.one_y_range = true;
+    CHECK(count(draw_chart(chart, test_provenance()), ">10<") == 2);
+}
+
+TEST_CASE("charts without panels, lines, points or extent are well-formed too") {
+    Chart chart{.title = "empty", .x_label = "x", .panels = {}};
+    CHECK(well_formed(draw_chart(chart, test_provenance())));
+    chart.panels.push_back({.title = {}, .y_label = "y", .lines = {}, .marks = {}});
+    CHECK(well_formed(draw_chart(chart, test_provenance())));
+    chart.panels[0].lines = {{.label = "one", .x = {2.0}, .y = {5.0}, .dots = true}};
+    const std::string svg = draw_chart(chart, test_provenance());
+    CHECK(well_formed(svg));
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+}
