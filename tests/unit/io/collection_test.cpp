@@ -1,0 +1,90 @@
+#include "io/collection.h"
+
+#include <doctest/doctest.h>
+#include <vtkCell.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUtilities.h>
+
+#include "core/files.h"
+#include "unit/io/fixture.h"
+
+using namespace tidewater;
+using namespace tidewater::io;
+
+namespace {
+
+vtkSmartPointer<vtkPolyData> read(const std::filesystem::path& path) {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    return reader->GetOutput();
+}
+
+}  // namespace
+
+TEST_CASE("VTK reads back the points, the cell, every column and the speed") {
+    const TemporaryFolder folder;
+    const Snapshot snapshot = test_snapshot(50);
+    write_particles(folder / particles_name(3), snapshot, test_provenance());
+    const auto data = read(folder / "particles_0003.vtp");
+    CHECK(data->GetNumberOfPoints() == 50);
+    CHECK(data->GetNumberOfCells() == 1);
+    CHECK(data->GetCellType(0) == VTK_POLY_VERTEX);
+    CHECK(data->GetBounds()[5] == doctest::Approx(2.0 + 0.25 * 49.0));
+    for_each_column([&](const auto& column) {
+        CAPTURE(column.name);
+        vtkDataArray* array = data->GetPointData()->GetArray(column.name);
+        REQUIRE(array != nullptr);
+        const auto& values = snapshot.*column.values;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto point = static_cast<vtkIdType>(i) / column.components;
+            const auto component = static_cast<int>(i) % column.components;
+            CHECK(array->GetComponent(point, component) == static_cast<double>(values[i]));
+        }
+    });
+    CHECK(data->GetPointData()->GetArray("velocity_magnitude")->GetComponent(10, 0) == 50.0);
+    CHECK(data->GetFieldData()->GetAbstractArray("scene_hash")->GetVariantValue(0).ToString() == "00ff");
+}
+
+TEST_CASE("data is inline, for appended data does not open in ParaView 5.11") {
+    const TemporaryFolder folder;
+    write_particles(folder / "a.vtp", test_snapshot(10), test_provenance());
+    const std::string text = read_text(folder / "a.vtp");
+    CHECK(text.find("format=\"binary\"") != std::string::npos);
+    CHECK(text.find("appended") == std::string::npos);
+    CHECK(text.find("vtkZLibDataCompressor") != std::string::npos);
+    write_particles(folder / "b.vtp", test_snapshot(10), test_provenance());
+    CHECK(text == read_text(folder / "b.vtp"));
+}
+
+TEST_CASE("no particles make a file without points or cells") {
+    const TemporaryFolder folder;
+    write_particles(folder / "a.vtp", test_snapshot(0), test_provenance());
+    CHECK(read(folder / "a.vtp")->GetNumberOfPoints() == 0);
+    CHECK(read(folder / "a.vtp")->GetNumberOfCells() == 0);
+}
+
+TEST_CASE("a folder that is not there gives an error, and no file") {
+    const TemporaryFolder folder;
+    CHECK_THROWS_AS(write_particles(folder / "no/a.vtp", test_snapshot(1), test_provenance()), OutputError);
+    CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("the collection names every file with its time") {
+    const TemporaryFolder folder;
+    write_collection(folder / "particles.pvd", {{"particles_0000.vtp", 0.0}, {"particles_0001.vtp", 0.1}});
+    const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
+        vtkXMLUtilities::ReadElementFromFile((folder / "particles.pvd").c_str()));
+    REQUIRE(root);
+    CHECK(std::string(root->GetAttribute("type")) == "Collection");
+    vtkXMLDataElement* second = root->GetNestedElement(0)->GetNestedElement(1);
+    CHECK(std::string(second->GetAttribute("file")) == "particles_0001.vtp");
+    CHECK(std::string(second->GetAttribute("timestep")) == "0.1");
+}
