@@ -1,0 +1,156 @@
+#include "frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "analysis/surface.h"
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/types.h"
+#include "io/axis.h"
+#include "io/collection.h"
+#include "io/picture.h"
+#include "io/snapshot.h"
+#include "io/text.h"
+
+namespace tidewater::postprocess {
+namespace {
+
+constexpr std::size_t default_picture_count = 5;
+
+// The colour scale ends where this share of the water is slower, so that single drops do not darken all else.
+constexpr double speed_quantile = 0.995;
+
+io::Snapshot read_frame(const std::filesystem::path& file, const scene::Scene& scene) {
+    io::Snapshot snapshot = io::read_snapshot(file);
+    if (snapshot.dimension != scene.dimension) {
+        throw InputError(file.string() + ": it has " + std::to_string(snapshot.dimension) +
+                         " dimensions, the scene " + std::to_string(scene.dimension) +
+                         "; run tidewater-simulate again");
+    }
+    return snapshot;
+}
+
+// The tank's size as (x, y, z), y = 0 in 2D.
+std::array<double, 3> tank_size(const scene::Scene& scene) {
+    const auto& size = scene.domain.size;
+    return {size.front(), scene.dimension == 3 ? size[1] : 0.0, size.back()};
+}
+
+std::vector<double> read_gauges(const io::Snapshot& snapshot, const scene::Scene& scene) {
+    const analysis::Tank tank{.dimension = scene.dimension,
+                              .size = tank_size(scene),
+                              .cell_size = scene.domain.cell_size,
+                              .still_level = scene.water.depth};
+    std::vector<analysis::Place> places;
+    for (const double x : scene.postprocess.gauges) places.push_back({x, 0.5 * tank.size[1]});
+    return analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank, places);
+}
+
+double fast_water(const io::Snapshot& snapshot) {
+    std::vector<double> speeds;
+    for (std::size_t p = 0; p < snapshot.particle_count(); ++p) {
+        const float* v = snapshot.velocity.data() + 3 * p;
+        if (static_cast<Material>(snapshot.material[p]) == Material::water) {
+            speeds.push_back(std::hypot(v[0], v[1], v[2]));
+        }
+    }
+    if (speeds.empty()) return 0.0;
+    const auto index = static_cast<std::ptrdiff_t>(speed_quantile * static_cast<double>(speeds.size() - 1));
+    std::ranges::nth_element(speeds, speeds.begin() + index);
+    return speeds[static_cast<std::size_t>(index)];
+}
+
+io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) {
+    io::PictureSettings settings{.dimension = scene.dimension,
+                                 .size = tank_size(scene),
+                                 .particle_spacing = scene.domain.cell_size / scene.particles.per_axis,
+                                 .still_level = scene.water.depth,
+                                 .greatest_speed = scene.postprocess.picture_speed,
+                                 .title = scene.title,
+                                 .gauges = scene.simulate.gauges,
+                                 .width = scene.postprocess.picture_width};
+    if (settings.greatest_speed == 0.0) settings.greatest_speed = fastest > 0.0 ? io::round_up(fastest) : 1.0;
+    const auto& further = scene.postprocess.gauges;
+    settings.gauges.insert(settings.gauges.end(), further.begin(), further.end());
+    return settings;
+}
+
+// As few decimals, but at least two, as tell the times apart.
+int time_decimals(const std::vector<double>& times) {
+    for (int decimals = 2; decimals < 9; ++decimals) {
+        const auto same = [&](double a, double b) {
+            return io::format_fixed(a, decimals) == io::format_fixed(b, decimals);
+        };
+        if (std::ranges::adjacent_find(times, same) == times.end()) return decimals;
+    }
+    return 9;
+}
+
+void draw_pictures(const StageContext& context, const Frames& frames, const std::vector<std::size_t>& chosen,
+                   double fastest, Progress& progress) {
+    io::PictureSettings settings = picture_settings(context.scene, fastest);
+    const int decimals = time_decimals(frames.times);
+    for (const std::size_t frame : chosen) {
+        const io::Snapshot snapshot = read_frame(frames.files[frame], context.scene);
+        settings.time = snapshot.time;
+        const io::Canvas canvas =
+            io::draw_picture({snapshot.points, snapshot.velocity, snapshot.material}, settings);
+        const std::string name = "frame_t=" + io::format_fixed(snapshot.time, decimals) + ".png";
+        canvas.write_png(context.folder / name, context.provenance);
+        progress.update(0.99, name);
+    }
+}
+
+}  // namespace
+
+Frames find_frames(const std::filesystem::path& folder) {
+    Frames frames{io::list_snapshots(folder), {}};
+    for (const auto& file : frames.files) frames.times.push_back(io::read_snapshot_time(file));
+    return frames;
+}
+
+std::vector<std::size_t> choose_frames(const std::vector<double>& times, const std::vector<double>& wanted,
+                                       std::size_t count) {
+    std::vector<std::size_t> chosen;
+    if (times.empty()) return chosen;
+    for (const double time : wanted) {
+        const auto nearer = [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); };
+        chosen.push_back(static_cast<std::size_t>(std::ranges::min_element(times, nearer) - times.begin()));
+    }
+    for (std::size_t i = 0; wanted.empty() && i < count; ++i) {
+        chosen.push_back(count > 1 ? i * (times.size() - 1) / (count - 1) : 0);
+    }
+    std::ranges::sort(chosen);
+    const auto repeated = std::ranges::unique(chosen);
+    chosen.erase(repeated.begin(), repeated.end());
+    return chosen;
+}
+
+std::vector<GaugeRecord> process_frames(const StageContext& context, const Frames& frames) {
+    const scene::Scene& scene = context.scene;
+    const auto chosen = choose_frames(frames.times, scene.postprocess.picture_times, default_picture_count);
+    std::vector<GaugeRecord> records;
+    for (const double x : scene.postprocess.gauges) records.push_back({x, "snapshots", frames.times, {}});
+    std::vector<io::CollectionEntry> collection;
+    double fastest = 0.0;
+
+    Progress progress("postprocess");
+    for (std::size_t frame = 0; frame < frames.files.size(); ++frame) {
+        const io::Snapshot snapshot = read_frame(frames.files[frame], scene);
+        collection.push_back({io::particles_name(frame), snapshot.time});
+        io::write_particles(context.folder / collection.back().name, snapshot, context.provenance);
+        const auto elevations = read_gauges(snapshot, scene);
+        for (std::size_t i = 0; i < records.size(); ++i) records[i].elevation.push_back(elevations[i]);
+        if (std::ranges::binary_search(chosen, frame)) fastest = std::max(fastest, fast_water(snapshot));
+        progress.update(0.95 * static_cast<double>(frame + 1) / static_cast<double>(frames.files.size()),
+                        "t = " + io::format_fixed(snapshot.time, 2) + " s");
+    }
+    io::write_collection(context.folder / "particles.pvd", collection);
+    draw_pictures(context, frames, chosen, fastest, progress);
+    progress.update(1.0);
+    return records;
+}
+
+}  // namespace tidewater::postprocess

@@ -1,0 +1,143 @@
+#include "gauges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/error.h"
+#include "io/table.h"
+#include "io/text.h"
+
+namespace tidewater::postprocess {
+namespace {
+
+// In cells; analysis/surface.h: particle noise stays below.
+constexpr double smallest_amplitude = 0.25;
+
+analysis::WaveSettings wave_settings(const scene::Scene& scene, double x) {
+    const bool left_of_block = scene.has("rigid") && x < scene.block.center.front();
+    return {.depth = scene.water.depth,
+            .gravity = scene.domain.gravity,
+            .far_wall = left_of_block ? 0.0 : scene.domain.size.front(),
+            .arrival_threshold = scene.postprocess.arrival_threshold,
+            .smallest_amplitude = smallest_amplitude * scene.domain.cell_size};
+}
+
+double error_percent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
+
+std::vector<std::string> row(const Waves& waves, double x, const std::string& source,
+                             const std::vector<double>& seen, const analysis::Celerity& celerity) {
+    std::vector<std::string> cells{io::format_number(x), source};
+    for (const double value : seen) cells.push_back(io::format_number(value));
+    const double reference = waves.long_wave_celerity;
+    for (const double value :
+         {celerity.from_crests, reference, error_percent(celerity.from_crests, reference),
+          celerity.from_arrivals, error_percent(celerity.from_arrivals, reference)}) {
+        cells.push_back(io::format_number(value));
+    }
+    return cells;
+}
+
+// A column of the printed table; "-" where there is no number.
+std::string cell(double value, int width, int decimals) {
+    const std::string text = std::isnan(value) ? "-" : io::format_fixed(value, decimals);
+    return std::string(static_cast<std::size_t>(std::max(width - static_cast<int>(text.size()), 0)), ' ') +
+           text;
+}
+
+std::string describe_speed(const char* what, double speed, double reference) {
+    if (std::isnan(speed)) return std::string("celerity from ") + what + ": too few gauges saw the wave\n";
+    const double error = error_percent(speed, reference);
+    return std::string("celerity from ") + what + ": " + io::format_fixed(speed, 3) + " m/s, " +
+           (error < 0.0 ? "" : "+") + io::format_fixed(error, 1) +
+           " % of sqrt(g D) = " + io::format_fixed(reference, 3) + " m/s\n";
+}
+
+}  // namespace
+
+std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path) {
+    const io::Table table = io::read_table(path);
+    const auto& time = io::require_column(table, "time", path);
+    std::vector<GaugeRecord> records;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        if (!table.columns[c].starts_with("x=")) continue;
+        const auto x = io::parse_number(std::string_view(table.columns[c]).substr(2));
+        if (!x) {
+            throw InputError(path.string() + ": column \"" + table.columns[c] +
+                             "\" names no place; run tidewater-simulate again");
+        }
+        records.push_back({*x, "run", time, table.values[c]});
+    }
+    return records;
+}
+
+void write_gauges(const std::filesystem::path& path, const std::vector<GaugeRecord>& records,
+                  const Provenance& provenance) {
+    std::vector<std::string> columns{"time"};
+    for (const GaugeRecord& record : records) columns.push_back("x=" + io::format_number(record.x));
+    io::TableWriter table(path, provenance, columns);
+    const std::size_t rows = records.empty() ? 0 : records.front().time.size();
+    for (std::size_t r = 0; r < rows; ++r) {
+        std::vector<double> values{records.front().time[r]};
+        for (const GaugeRecord& record : records) values.push_back(record.elevation[r]);
+        table.append(values);
+    }
+    table.finish();
+}
+
+Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
+    Waves waves;
+    waves.records = std::move(records);
+    std::ranges::stable_sort(waves.records, {}, &GaugeRecord::x);
+    const bool water = scene.has("water");
+    for (const GaugeRecord& record : waves.records) {
+        waves.gauges.emplace_back().x = record.x;
+        if (!water) continue;
+        waves.gauges.back() =
+            analysis::analyse_gauge(record.x, record.time, record.elevation, wave_settings(scene, record.x));
+    }
+    waves.to_next = analysis::celerity_between(waves.gauges);
+    waves.overall = analysis::celerity_overall(waves.gauges);
+    if (water)
+        waves.long_wave_celerity = analysis::long_wave_celerity(scene.water.depth, scene.domain.gravity);
+    return waves;
+}
+
+void write_waves(const std::filesystem::path& path, const Waves& waves, const Provenance& provenance) {
+    io::TableWriter table(
+        path, provenance,
+        {"x", "source", "arrival", "crest_time", "crest", "trough", "height", "period", "greatest",
+         "greatest_time", "lowest", "mean_period", "record_end", "celerity", "long_wave_celerity",
+         "error_percent", "celerity_from_arrivals", "error_percent_from_arrivals"});
+    for (std::size_t i = 0; i < waves.gauges.size(); ++i) {
+        const analysis::GaugeWave& g = waves.gauges[i];
+        const std::vector<double> seen{g.arrival, g.crest_time,  g.crest,     g.trough,
+                                       g.height,  g.period,      g.greatest,  g.greatest_time,
+                                       g.lowest,  g.mean_period, g.record_end};
+        const auto celerity = i < waves.to_next.size() ? waves.to_next[i] : analysis::Celerity{};
+        table.append_cells(row(waves, g.x, waves.records[i].source, seen, celerity));
+    }
+    const std::vector<double> nothing(11, analysis::none);
+    table.append_cells(row(waves, analysis::none, "all", nothing, waves.overall));
+    table.finish();
+}
+
+std::string describe(const Waves& waves) {
+    std::string text =
+        "gauge x (m)  source     arrival (s)  crest (s)  crest (m)  height (m)  period (s)  celerity to next "
+        "(m/s)\n";
+    for (std::size_t i = 0; i < waves.gauges.size(); ++i) {
+        const analysis::GaugeWave& g = waves.gauges[i];
+        std::string source = waves.records[i].source;
+        source.resize(9, ' ');
+        text += cell(g.x, 11, 2) + "  " + source + cell(g.arrival, 13, 3) + cell(g.crest_time, 11, 3) +
+                cell(g.crest, 11, 4) + cell(g.height, 12, 4) + cell(g.period, 12, 3) +
+                cell(i < waves.to_next.size() ? waves.to_next[i].from_crests : analysis::none, 24, 3) + "\n";
+    }
+    if (waves.gauges.empty()) return "no gauges: name some with simulate.gauges or postprocess.gauges\n";
+    return text + describe_speed("crests", waves.overall.from_crests, waves.long_wave_celerity) +
+           describe_speed("arrivals", waves.overall.from_arrivals, waves.long_wave_celerity);
+}
+
+}  // namespace tidewater::postprocess

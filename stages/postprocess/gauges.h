@@ -1,0 +1,47 @@
+// Gauges of both kinds, what they saw, and the table of it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/wave.h"
+#include "core/provenance.h"
+#include "scene/scene.h"
+
+namespace tidewater::postprocess {
+
+struct GaugeRecord {
+    double x = 0.0;                 // m
+    std::string source;             // "run": written while simulating; "snapshots": read from the frames
+    std::vector<double> time;       // s
+    std::vector<double> elevation;  // η, m; NaN where dry
+};
+
+// The records of simulate/gauges.csv. Throws InputError if it is missing or damaged.
+std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path);
+
+// Writes records of equal times as a table with the columns time, x=<x>, ...
+void write_gauges(const std::filesystem::path& path, const std::vector<GaugeRecord>& records,
+                  const Provenance& provenance);
+
+struct Waves {
+    std::vector<GaugeRecord> records;         // in the order of x
+    std::vector<analysis::GaugeWave> gauges;  // of each record
+    std::vector<analysis::Celerity> to_next;  // from each gauge to the next
+    analysis::Celerity overall;
+    double long_wave_celerity = analysis::none;  // √(gD), m/s
+};
+
+// Without the effect "water" the records are kept and everything else is empty or NaN.
+Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene);
+
+// waves.csv: a row per gauge, in the order of x, with the members of GaugeWave, then the celerity from its
+// leading crest to that of the next gauge, √(gD) and their difference in %; the same from arrivals. The last
+// row, of source "all", has the celerities fitted to all gauges.
+void write_waves(const std::filesystem::path& path, const Waves& waves, const Provenance& provenance);
+
+// The table that the stage prints for people.
+std::string describe(const Waves& waves);
+
+}  // namespace tidewater::postprocess
