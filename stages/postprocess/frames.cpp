@@ -123,8 +123,7 @@ std::vector<std::size_t> choose_frames(const std::vector<double>& times, const s
         chosen.push_back(count > 1 ? i * (times.size() - 1) / (count - 1) : 0);
     }
     std::ranges::sort(chosen);
-    const auto repeated = std::ranges::unique(chosen);
-    chosen.erase(repeated.begin(), repeated.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
     return chosen;
 }
 

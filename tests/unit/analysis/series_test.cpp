@@ -43,7 +43,7 @@ TEST_CASE("smoothing leaves gaps where they are and does not spread them") {
     const std::vector<double> time{0.0, 1.0, 2.0, 3.0}, value{1.0, none, 1.0, 1.0};
     const auto smoothed = smooth(time, value, 1.0);
     CHECK(std::isnan(smoothed[1]));
-    for (const std::size_t i : {0, 2, 3}) CHECK(smoothed[i] == doctest::Approx(1.0));
+    for (const std::size_t i : {0u, 2u, 3u}) CHECK(smoothed[i] == doctest::Approx(1.0));
     CHECK(smooth({}, {}, 1.0).empty());
     CHECK(smooth(time, value, 0.0)[3] == 1.0);
 }

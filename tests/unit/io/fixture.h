@@ -1,37 +1,24 @@
-// What the tests of io share: a folder that is removed afterwards, a provenance, a small cloud of particles.
+// What the tests of io share: a folder with short names, a provenance, a small cloud of particles.
 #pragma once
 
-#include <unistd.h>
-
-#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "core/error.h"
 #include "core/provenance.h"
 #include "core/types.h"
 #include "io/snapshot.h"
+#include "support/temporary_folder.h"
 
 namespace tidewater::io {
 
-class TemporaryFolder {
+class TemporaryFolder : public test::TemporaryFolder {
 public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "tidewater-io-XXXXXX").string();
-        path_ = ::mkdtemp(name.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path() / name; }
     std::size_t file_count() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path()), {}));
     }
-
-private:
-    std::filesystem::path path_;
 };
 
 inline Provenance test_provenance() {

@@ -47,7 +47,7 @@ void write_foreign(const std::filesystem::path& path, const char* format, std::i
 
 TEST_CASE("reads back what was written, for none, one and many particles") {
     const TemporaryFolder folder;
-    for (const std::size_t count : {0, 1, 1000, 200000}) {
+    for (const std::size_t count : {0u, 1u, 1000u, 200000u}) {
         const Snapshot snapshot = test_snapshot(count);
         write_snapshot(folder / "frame_0000.hdf", snapshot, test_provenance());
         check_equal(read_snapshot(folder / "frame_0000.hdf"), snapshot);
