@@ -48,10 +48,11 @@ using AnyMember = std::variant<Member<double>, Member<int>, Member<std::uint64_t
                                Member<mpm::WallRule>, Member<Precision>>;
 
 // Stages that read a key, as bits.
-inline constexpr unsigned geometry = 1u << static_cast<unsigned>(Stage::geometry);
-inline constexpr unsigned simulate = 1u << static_cast<unsigned>(Stage::simulate);
-inline constexpr unsigned postprocess = 1u << static_cast<unsigned>(Stage::postprocess);
-inline constexpr unsigned every_stage = geometry | simulate | postprocess;
+constexpr unsigned by(Stage stage) { return 1u << static_cast<unsigned>(stage); }
+inline constexpr unsigned by_geometry = by(Stage::geometry);
+inline constexpr unsigned by_simulate = by(Stage::simulate);
+inline constexpr unsigned by_postprocess = by(Stage::postprocess);
+inline constexpr unsigned by_all = by_geometry | by_simulate | by_postprocess;
 
 struct Key {
     std::string_view name;  // "domain.cell_size"
@@ -63,7 +64,7 @@ struct Key {
     bool required = false;
     bool per_dimension = false;  // a list with one number per dimension
     bool only_3d = false;
-    unsigned stages = every_stage;
+    unsigned stages = by_all;  // that read it
     std::string_view help;
 
     std::string_view section() const;  // "domain"; empty for title, dimension, ...

@@ -14,7 +14,7 @@ std::string comment(const Key& key) {
 std::string stage_names(unsigned stages) {
     std::string names;
     for (const Stage stage : {Stage::geometry, Stage::simulate, Stage::postprocess}) {
-        if ((stages & (1u << static_cast<unsigned>(stage))) == 0) continue;
+        if ((stages & by(stage)) == 0) continue;
         names += (names.empty() ? "" : ", ") + std::string(stage_name(stage));
     }
     return names;
@@ -63,11 +63,9 @@ std::string resolved_text(const Scene& scene) {
     return text;
 }
 
-std::string stage_part(const Scene& scene, Stage stage) {
-    return plain_text(scene, 1u << static_cast<unsigned>(stage));
-}
+std::string stage_part(const Scene& scene, Stage stage) { return plain_text(scene, by(stage)); }
 
-std::string scene_hash(const Scene& scene) { return hash_hex(hash_text(plain_text(scene, every_stage))); }
+std::string scene_hash(const Scene& scene) { return hash_hex(hash_text(plain_text(scene, by_all))); }
 
 std::string key_reference() {
     std::string text = "The keys of a scene file, each usable as --set key=value too.\n";

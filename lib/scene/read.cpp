@@ -71,12 +71,10 @@ std::string unknown_effect(const std::string& effect) {
 
 // What is wrong with the list of effects, or an empty text.
 std::string effects_problem(const std::vector<std::string>& effects) {
-    if (effects.empty())
-        return "no effect is named, so there would be no particles; e.g. effects = [\"water\"]";
+    if (effects.empty()) return "names none, so there would be no particles; e.g. effects = [\"water\"]";
     for (const std::string& effect : effects) {
         if (std::ranges::count(known_effects(), effect) == 0) return unknown_effect(effect);
-        if (std::ranges::count(effects, effect) > 1)
-            return quoted_text(effect) + " is named twice; name it once";
+        if (std::ranges::count(effects, effect) > 1) return quoted_text(effect) + " is named twice";
     }
     return {};
 }

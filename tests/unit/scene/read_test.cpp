@@ -165,9 +165,8 @@ TEST_CASE("an unknown effect is told with the nearest known one") {
 
 TEST_CASE("a scene without effects has no particles, and one named twice is an error") {
     CHECK(set_problem("effects=[]") ==
-          "no effect is named, so there would be no particles; e.g. effects = [\"water\"]");
-    CHECK(set_problem("effects=[\"water\", \"rigid\", \"water\"]") ==
-          "\"water\" is named twice; name it once");
+          "names none, so there would be no particles; e.g. effects = [\"water\"]");
+    CHECK(set_problem("effects=[\"water\", \"rigid\", \"water\"]") == "\"water\" is named twice");
 }
 
 TEST_CASE("a duplicate key is told with its line and its section") {
