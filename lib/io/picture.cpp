@@ -227,15 +227,22 @@ void draw_still_level(Canvas& canvas, const PictureSettings& settings, const Lay
     canvas.dashed_line(from, to, 1.6 * u, 10 * u, 7 * u, palette::ink, 0.85);
 }
 
+// Gauges whose names would run into the one before have a mark alone.
 void draw_gauges(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
     const double u = layout.unit, y = settings.dimension == 3 ? 0.5 * settings.size[1] : 0.0;
-    for (const double x : settings.gauges) {
+    std::vector<double> gauges = settings.gauges;
+    std::ranges::sort(gauges);
+    double free_from = 0.0;
+    for (const double x : gauges) {
         const Pixel top = layout.view.project({x, y, settings.size[2]});
         const Pixel tip = layout.view.project({x, y, settings.still_level});
         canvas.dashed_line(top, tip, 1.2 * u, 3 * u, 4 * u, palette::ink, 0.6);
         canvas.triangle({top.x - 6 * u, top.y - 11 * u}, {top.x + 6 * u, top.y - 11 * u}, top, palette::ink);
-        canvas.text({top.x, top.y - 24 * u}, Align::center, 0.9 * layout.letters,
-                    "x = " + format_number(x) + " m");
+        const std::string name = "x = " + format_number(x) + " m";
+        const double half = 0.27 * layout.letters * static_cast<double>(name.size());
+        if (top.x - half < free_from) continue;
+        canvas.text({top.x, top.y - 24 * u}, Align::center, 0.9 * layout.letters, name);
+        free_from = top.x + half;
     }
 }
 

@@ -10,7 +10,7 @@
 namespace tidewater::io {
 namespace {
 
-constexpr const char* remedy = "; run the stage that writes it again";
+constexpr const char* remedy = "; run the stage that writes it";
 
 std::vector<std::string_view> split(std::string_view line) {
     std::vector<std::string_view> cells;
@@ -78,6 +78,8 @@ const std::vector<double>* Table::find(std::string_view column) const {
 }
 
 Table read_table(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path))
+        throw InputError(path.string() + ": the file does not exist" + remedy);
     std::istringstream text(read_text(path));
     Table table;
     std::string line;
