@@ -74,6 +74,36 @@ Momenta gathered_momenta(const Grid<D, Real>& grid, const RigidBody& body,
     return total;
 }
 
+// The particles of one block that lie beyond one wall.
+struct Beyond {
+    double count = 0.0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of their positions, m
+};
+
+// Where the body touches the wall of `axis` at `plane` (m) on the side `outward` (−1 or 1); count 0 if it
+// does not.
+template <int D, class Real>
+Beyond find_contact(const Grid<D, Real>& grid, const Particles<D, Real>& particles, int axis, double outward,
+                    double plane) {
+    std::vector<Beyond> of_block(grid.particle_blocks.size());
+    parallel_for(of_block.size(), [&](std::size_t slot) {
+        const Index<D> block = grid.layout.block_at(grid.particle_blocks[slot]);
+        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+            const Vector<D, double> point =
+                global_position<D, Real>(grid.layout, block, particles.position[p]);
+            if (outward * (point[axis] - plane) <= 0.0) continue;
+            of_block[slot].count += 1.0;
+            of_block[slot].sum += lift<D>(point);
+        }
+    });
+    Beyond total;
+    for (const Beyond& beyond : of_block) {
+        total.count += beyond.count;
+        total.sum += beyond.sum;
+    }
+    return total;
+}
+
 Eigen::Matrix3d turned_inertia(const RigidBody& body) {
     const Eigen::Matrix3d r = body.rotation.toRotationMatrix();
     return r * body.inertia * r.transpose();
@@ -94,17 +124,49 @@ RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double c
         body.inertia +=
             particles.mass * ((r.squaredNorm() + 0.5 * cell_size * cell_size) * Eigen::Matrix3d::Identity() -
                               r * r.transpose());
+        body.radius = std::max(body.radius, r.norm());
         particles.offset.push_back(drop<D>(r).template cast<Real>());
     }
     return body;
 }
 
+// Stops the body at every wall that it reaches; returns the impulse that it got.
 template <int D, class Real>
-double move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& body, Particles<D, Real>& particles) {
+Eigen::Vector3d stop_at_walls(const Grid<D, Real>& grid, const Particles<D, Real>& particles,
+                              RigidBody& body) {
+    Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
+    for (int wall = 0; wall < 2 * D; ++wall) {
+        const int axis = wall / 2;
+        const double outward = wall % 2 == 0 ? -1.0 : 1.0;
+        const double plane =
+            wall % 2 == 0 ? 0.0 : grid.layout.cell_size * grid.layout.cells[static_cast<std::size_t>(axis)];
+        if (outward * (drop<D>(body.center)[axis] - plane) + body.radius < 0.0) continue;
+        const Beyond beyond = find_contact(grid, particles, axis, outward, plane);
+        if (beyond.count == 0.0) continue;
+        const Eigen::Vector3d normal = lift<D>(Vector<D, double>::Unit(axis) * outward);
+        const Eigen::Vector3d arm = beyond.sum / beyond.count - body.center;
+        const double approach = (body.velocity + body.angular_velocity.cross(arm)).dot(normal);
+        if (approach <= 0.0) continue;
+        const Eigen::Vector3d lever = arm.cross(normal);
+        const Eigen::LDLT<Eigen::Matrix3d> inertia = turned_inertia(body).ldlt();
+        const Eigen::Vector3d push = -approach / (1.0 / body.mass + lever.dot(inertia.solve(lever))) * normal;
+        body.velocity += push / body.mass;
+        body.angular_momentum += arm.cross(push);
+        body.angular_velocity = inertia.solve(body.angular_momentum);
+        impulse += push;
+    }
+    return impulse;
+}
+
+template <int D, class Real>
+RigidMotion move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& body,
+                            Particles<D, Real>& particles) {
     const Momenta momenta = gathered_momenta(grid, body, particles);
     body.velocity = momenta.linear / body.mass;
     body.angular_momentum = momenta.angular;
     body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
+    RigidMotion motion;
+    motion.wall_impulse = stop_at_walls(grid, particles, body);
 
     body.center += dt * body.velocity;
     const double angle = dt * body.angular_velocity.norm();
@@ -129,7 +191,8 @@ double move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& body, Pa
             greatest[slot] = std::max(greatest[slot], velocity.squaredNorm());
         }
     });
-    return std::sqrt(*std::max_element(greatest.begin(), greatest.end()));
+    motion.greatest_speed = std::sqrt(*std::max_element(greatest.begin(), greatest.end()));
+    return motion;
 }
 
 double kinetic_energy(const RigidBody& body) {
@@ -139,7 +202,7 @@ double kinetic_energy(const RigidBody& body) {
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                                      \
     template RigidBody make_rigid_body(const std::vector<Vector<D, double>>&, double, Particles<D, Real>&); \
-    template double move_rigid_body(const Grid<D, Real>&, double, RigidBody&, Particles<D, Real>&);
+    template RigidMotion move_rigid_body(const Grid<D, Real>&, double, RigidBody&, Particles<D, Real>&);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)
 TIDEWATER_INSTANTIATE(3, float)

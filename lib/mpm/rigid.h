@@ -28,6 +28,7 @@ struct RigidBody {
     Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // ω, rad/s
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();           // I in the body's own axes, kg m²
     double mass = 0.0;                                           // M, kg
+    double radius = 0.0;                                         // of the farthest particle from c, m
 };
 
 // The body of these particles, at rest; fills their offset column (r0). `points` are their positions, m, in
@@ -36,10 +37,16 @@ template <int D, class Real>
 RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double cell_size,
                           Particles<D, Real>& particles);
 
-// Takes over the momentum that the particles gathered, moves the body by dt and writes the particles' new
-// positions, velocities and gradients. Returns the greatest speed of a particle, m/s.
+struct RigidMotion {
+    double greatest_speed = 0.0;                             // of a particle, m/s
+    Eigen::Vector3d wall_impulse = Eigen::Vector3d::Zero();  // that the walls gave to the body, kg m/s
+};
+
+// Takes over the momentum that the particles gathered, stops the body at the walls, moves it by dt and writes
+// the particles' new positions, velocities and gradients.
 template <int D, class Real>
-double move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& body, Particles<D, Real>& particles);
+RigidMotion move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& body,
+                            Particles<D, Real>& particles);
 
 // ½ M V² + ½ ω·L, J.
 double kinetic_energy(const RigidBody& body);

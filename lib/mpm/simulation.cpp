@@ -170,8 +170,10 @@ void move_rigid(Simulation<D, Real>& s, double dt) {
     std::size_t next = 0;
     for (auto& particles : s.bodies) {
         if (particles.material != Material::rigid) continue;
-        s.speeds.particle =
-            std::max(s.speeds.particle, move_rigid_body(s.grid, dt, s.rigid[next++], particles));
+        const RigidMotion motion = move_rigid_body(s.grid, dt, s.rigid[next++], particles);
+        s.speeds.particle = std::max(s.speeds.particle, motion.greatest_speed);
+        for (int axis = 0; axis < D; ++axis)
+            s.wall_impulse[axis] += motion.wall_impulse[axis == D - 1 ? 2 : axis];
     }
 }
 

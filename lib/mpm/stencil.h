@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 
 #include "core/types.h"
 

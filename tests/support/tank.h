@@ -8,9 +8,11 @@
 
 namespace tidewater::test {
 
-// Lattice points, per_axis to a cell and axis and moved by up to jitter/2 of their spacing, where inside(point) holds.
+// Lattice points, per_axis to a cell and axis and moved by up to jitter/2 of their spacing, where
+// inside(point) holds.
 template <int D>
-std::vector<Vector<D, double>> lattice(double cell_size, const mpm::Index<D>& cells, int per_axis, double jitter,
+std::vector<Vector<D, double>> lattice(double cell_size, const mpm::Index<D>& cells, int per_axis,
+                                       double jitter,
                                        const std::function<bool(const Vector<D, double>&)>& inside) {
     const double spacing = cell_size / per_axis;
     long count = 1;
@@ -27,14 +29,16 @@ std::vector<Vector<D, double>> lattice(double cell_size, const mpm::Index<D>& ce
         if (!inside(point)) continue;
         for (int axis = 0; axis < D; ++axis) {
             const auto stream = static_cast<std::uint64_t>(axis);
-            point[axis] += jitter * spacing * (random_uniform(1, stream, static_cast<std::uint64_t>(n)) - 0.5);
+            point[axis] +=
+                jitter * spacing * (random_uniform(1, stream, static_cast<std::uint64_t>(n)) - 0.5);
         }
         points.push_back(point);
     }
     return points;
 }
 
-// A tank of these cells with water up to `depth` and, if block_size > 0, a cubic block whose lower corner is `corner`.
+// A tank of these cells with water up to `depth` and, if block_size > 0, a cubic block whose lower corner is
+// `corner`.
 template <int D>
 mpm::Start<D> tank_start(double cell_size, const mpm::Index<D>& cells, double depth, double sound_speed,
                          double block_size = 0.0, const Vector<D, double>& corner = Vector<D, double>::Zero(),

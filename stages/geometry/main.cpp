@@ -1,0 +1,112 @@
+// tidewater-geometry: the scene's tank, water and block as level sets in <run>/geometry/geometry.vdb.
+#include <cstdio>
+#include <numbers>
+
+#include "common/stage.h"
+#include "geometry/level_set.h"
+#include "io/vdb.h"
+
+namespace tidewater {
+namespace {
+
+using geometry::Box;
+using geometry::Extent;
+using geometry::Point;
+
+// In 2D bodies reach four voxels to each side of y = 0, so that the band in that plane knows of no end in y.
+constexpr double plane_half_width = 4.0;
+
+// An upright or turned box from a scene's vectors, (x, z) or (x, y, z).
+Box make_box(const scene::Scene& scene, const std::vector<double>& center, const std::vector<double>& size,
+             double angle) {
+    const bool flat = scene.dimension == 2;
+    Box box;
+    box.center = {center[0], flat ? 0.0 : center[1], center.back()};
+    box.half_size = {0.5 * size[0], flat ? plane_half_width * scene.domain.cell_size : 0.5 * size[1],
+                     0.5 * size.back()};
+    box.angle = angle;
+    return box;
+}
+
+Box upright_box(const scene::Scene& scene, std::vector<double> size) {
+    std::vector<double> center = size;
+    for (double& along : center) along *= 0.5;
+    return make_box(scene, center, size, 0.0);
+}
+
+// Volume of a box in m³, in 2D its area in m².
+double volume(const scene::Scene& scene, const Box& box) {
+    const double area = 4.0 * box.half_size[0] * box.half_size[2];
+    return scene.dimension == 2 ? area : area * 2.0 * box.half_size[1];
+}
+
+// The volume of a block inside an upright box; both span y alike in 2D.
+double shared_volume(const scene::Scene& scene, const Box& block, const Box& upright) {
+    const double area = geometry::shared_area(block, upright);
+    if (scene.dimension == 2) return area;
+    const double low =
+        std::max(block.center[1] - block.half_size[1], upright.center[1] - upright.half_size[1]);
+    const double high =
+        std::min(block.center[1] + block.half_size[1], upright.center[1] + upright.half_size[1]);
+    return area * std::max(high - low, 0.0);
+}
+
+Extent extent_of(const Box& box) {
+    const Point reach = box.angle == 0.0 ? box.half_size : Point::Constant(box.half_size.norm());
+    return {box.center - reach, box.center + reach};
+}
+
+openvdb::FloatGrid::Ptr water_level_set(const scene::Scene& scene, const Box& water, const Box* block) {
+    const auto distance = [&](const Point& point) {
+        const double to_water = signed_distance(water, point);
+        return block ? std::max(to_water, -signed_distance(*block, point)) : to_water;
+    };
+    auto grid = geometry::make_level_set("water", scene.domain.cell_size, extent_of(water), distance);
+    geometry::describe_body(*grid, Material::water,
+                            volume(scene, water) - (block ? shared_volume(scene, *block, water) : 0.0));
+    return grid;
+}
+
+openvdb::FloatGrid::Ptr box_level_set(const scene::Scene& scene, const std::string& name, const Box& box) {
+    return geometry::make_level_set(name, scene.domain.cell_size, extent_of(box),
+                                    [&](const Point& point) { return signed_distance(box, point); });
+}
+
+void write_geometry(StageContext& context) {
+    const scene::Scene& scene = context.scene;
+    const char* unit = scene.dimension == 2 ? "m²" : "m³";
+    std::vector<openvdb::FloatGrid::Ptr> grids;
+    grids.push_back(box_level_set(scene, "tank", upright_box(scene, scene.domain.size)));
+
+    Box block;
+    const bool has_block = scene.has("rigid");
+    if (has_block) {
+        block = make_box(scene, scene.block.center, scene.block.size,
+                         scene.block.angle * std::numbers::pi / 180.0);
+    }
+    if (scene.has("water")) {
+        std::vector<double> size = scene.domain.size;
+        if (scene.water.length > 0.0) size[0] = scene.water.length;
+        size.back() = scene.water.depth;
+        grids.push_back(water_level_set(scene, upright_box(scene, size), has_block ? &block : nullptr));
+        std::printf("water: %.6g %s\n", geometry::body_volume(*grids.back()), unit);
+    }
+    if (has_block) {
+        grids.push_back(box_level_set(scene, "block", block));
+        geometry::describe_body(*grids.back(), Material::rigid, volume(scene, block));
+        std::printf("block: %.6g %s\n", volume(scene, block), unit);
+    }
+    const auto path = context.folder / "geometry.vdb";
+    io::write_level_sets(path, grids, context.provenance);
+    std::printf("wrote %s: %zu level sets, voxel size %g m\n", path.c_str(), grids.size(),
+                scene.domain.cell_size);
+}
+
+}  // namespace
+}  // namespace tidewater
+
+int main(int argc, char** argv) {
+    using namespace tidewater;
+    return run_stage(argc, argv, scene::Stage::geometry,
+                     "Writes the scene's tank, water and block as OpenVDB level sets.", write_geometry);
+}
