@@ -28,10 +28,16 @@ for arguments in "" "a.toml b.toml" "a.toml --what" "a.toml --set"; do
     expect_line "run: "
 done
 
+case_named "a missing scene ends with 3 before anything is installed"
+run bash "$project/tools/run" missing.toml
+expect_code 3
+expect_same "$output" "run: missing.toml: no such scene file; $project/configs has some"
+
 case_named "a path that make cannot take is told"
-run bash "$project/tools/run" "my scene.toml"
+touch "$work/my scene.toml"
+run bash "$project/tools/run" "$work/my scene.toml"
 expect_code 2
-expect_line "in a path: my scene.toml"
+expect_line "in a path: $work/my scene.toml"
 
 case_named "tools/run and tools/test tell their options"
 run bash "$project/tools/run" --help
