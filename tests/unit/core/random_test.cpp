@@ -34,7 +34,7 @@ TEST_CASE("the mixing function is SplitMix64's") {
     CHECK(mix64(0x9e3779b97f4a7c15ULL) == 0x6e789e6aa1b965f4ULL);
 }
 
-TEST_CASE("random numbers lie in [0, 1) and fill it evenly") {
+TEST_CASE("random numbers lie from 0 up to but not at 1, and fill it evenly") {
     std::array<int, 20> bins{};
     for (const double value : numbers(1, 0)) {
         REQUIRE(value >= 0.0);
