@@ -14,6 +14,7 @@ namespace {
 constexpr int half_band = 3;  // voxels
 constexpr const char* material_key = "material";
 constexpr const char* volume_key = "volume";
+constexpr const char* scene_key = "scene_part";
 
 using Leaf = openvdb::FloatTree::LeafNodeType;
 
@@ -100,6 +101,14 @@ Material body_material(const openvdb::FloatGrid& level_set) {
 
 double body_volume(const openvdb::FloatGrid& level_set) {
     return metadata<openvdb::DoubleMetadata>(level_set, volume_key);
+}
+
+void mark_scene(openvdb::FloatGrid& level_set, const std::string& fingerprint) {
+    level_set.insertMeta(scene_key, openvdb::StringMetadata(fingerprint));
+}
+
+std::string marked_scene(const openvdb::FloatGrid& level_set) {
+    return metadata<openvdb::StringMetadata>(level_set, scene_key);
 }
 
 }  // namespace tidewater::geometry

@@ -29,4 +29,8 @@ void describe_body(openvdb::FloatGrid& level_set, Material material, double volu
 Material body_material(const openvdb::FloatGrid& level_set);
 double body_volume(const openvdb::FloatGrid& level_set);
 
+// Which scene a level set was made for: a fingerprint of what the geometry stage reads of it.
+void mark_scene(openvdb::FloatGrid& level_set, const std::string& fingerprint);
+std::string marked_scene(const openvdb::FloatGrid& level_set);
+
 }  // namespace tidewater::geometry

@@ -87,7 +87,8 @@ std::vector<openvdb::FloatGrid::Ptr> read_level_sets(const std::filesystem::path
                              ": written by a newer tidewater; update this one, or run its "
                              "tidewater-geometry again");
         }
-        for (const auto& grid : *file.getGrids()) {
+        const openvdb::GridPtrVecPtr grids = file.getGrids();
+        for (const auto& grid : *grids) {
             if (auto level_set = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
                 level_sets.push_back(level_set);
         }

@@ -70,13 +70,21 @@ void update_velocities(Real gravity_dt, Node<Real>* nodes) {
 template <int D, class Real>
 void update_grid(Simulation<D, Real>& s, double dt) {
     const auto gravity_dt = static_cast<Real>(s.parameters.gravity * dt);
-    std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
-    parallel_for(actions.size(), [&](std::size_t slot) {
+    parallel_for(s.grid.node_blocks.size(), [&](std::size_t slot) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         sum_tiles(s.grid, slot, nodes);
         update_velocities<D>(gravity_dt, nodes);
-        actions[slot] = apply_walls<D, Real>(s.grid.layout, s.parameters.walls,
-                                             s.grid.layout.block_at(s.grid.node_blocks[slot]), nodes);
+    });
+    std::size_t next_rigid = 0;
+    for (const auto& particles : s.bodies) {
+        if (particles.material == Material::rigid)
+            move_nodes_as_one(particles, s.rigid[next_rigid++].center, s.grid);
+    }
+    std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
+    parallel_for(actions.size(), [&](std::size_t slot) {
+        const Index<D> block = s.grid.layout.block_at(s.grid.node_blocks[slot]);
+        actions[slot] =
+            apply_walls<D, Real>(s.grid.layout, s.parameters.walls, block, s.grid.block_nodes(slot));
     });
     for (const auto& action : actions) {
         s.wall_impulse += action.impulse;
@@ -232,7 +240,8 @@ Simulation<D, Real> make_simulation(const Start<D>& start) {
 
 template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& s) {
-    return s.parameters.cfl * s.grid.layout.cell_size / (s.speeds.sound + s.speeds.particle);
+    const double reach = s.parameters.cfl * s.grid.layout.cell_size;
+    return std::min(reach / (s.speeds.sound + s.speeds.particle), std::sqrt(reach / s.parameters.gravity));
 }
 
 template <int D, class Real>

@@ -2,14 +2,15 @@
 //
 // Stages of a step, in order; each is a parallel loop over blocks that write only their own data:
 //     scatter   particles → tiles (P2G, with the water's pressure)
-//     grid      tiles → nodes, momentum → velocity, gravity, walls
+//     grid      tiles → nodes, momentum → velocity, gravity, rigid bodies' nodes, walls
 //     gather    nodes → particles (G2P), J and position advance
 //     rigid     each body takes over its particles' momentum and moves
 //     sort      only when a particle may have left its block's margin
 // Sums over blocks are taken in block order: any number of threads gives the same bits.
 //
 // Time step: Δt = cfl Δx / (greatest sound speed + greatest particle speed), both measured at the end of the
-// last step. An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D (shared/physics.md §4).
+// last step, and at most √(cfl Δx/g), so that what starts from rest falls less than a cell in its first step.
+// An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D (shared/physics.md §4).
 #pragma once
 
 #include <chrono>
@@ -80,7 +81,7 @@ struct Start {
 template <int D, class Real>
 Simulation<D, Real> make_simulation(const Start<D>& start);
 
-// The longest stable step now, s. Infinite when nothing moves and there is no water.
+// The longest stable step now, s. Infinite only without gravity, water and motion.
 template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& simulation);
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "common/stage.h"
+#include "core/hash.h"
 #include "geometry/level_set.h"
 #include "io/vdb.h"
 
@@ -96,6 +97,8 @@ void write_geometry(StageContext& context) {
         geometry::describe_body(*grids.back(), Material::rigid, volume(scene, block));
         std::printf("block: %.6g %s\n", volume(scene, block), unit);
     }
+    for (const auto& grid : grids)
+        geometry::mark_scene(*grid, hash_hex(hash_text(stage_part(scene, scene::Stage::geometry))));
     const auto path = context.folder / "geometry.vdb";
     io::write_level_sets(path, grids, context.provenance);
     std::printf("wrote %s: %zu level sets, voxel size %g m\n", path.c_str(), grids.size(),

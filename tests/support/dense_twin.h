@@ -87,8 +87,15 @@ struct DenseTwin {
             });
         }
         for (auto& [i, node] : grid) {
-            Vec v = node.momentum / node.mass;
-            v[D - 1] -= dt * start.parameters.gravity;
+            node.momentum /= node.mass;  // velocity from here on
+            node.momentum[D - 1] -= dt * start.parameters.gravity;
+        }
+        for (std::size_t b = 0; b < start.bodies.size(); ++b) {
+            if (start.bodies[b].material == Material::rigid && !start.bodies[b].points.empty())
+                move_nodes_as_one(b);
+        }
+        for (auto& [i, node] : grid) {
+            Vec& v = node.momentum;
             for (int axis = 0; axis < D; ++axis) {
                 const auto a = static_cast<std::size_t>(axis);
                 for (int side = 0; side < 2; ++side) {
@@ -99,7 +106,6 @@ struct DenseTwin {
                     if (rule == mpm::WallRule::slip || v[axis] * outward > 0) v[axis] = 0;
                 }
             }
-            node.momentum = v;  // velocity from here on
         }
         for (Particle& p : particles) {
             p.v.setZero();
@@ -129,6 +135,34 @@ struct DenseTwin {
             return v;
         else
             return {v[0], v[2]};
+    }
+
+    // Every node that a body's particle touches takes part in one rigid motion with the momentum of these
+    // nodes.
+    void move_nodes_as_one(std::size_t body) {
+        std::map<Cell, Eigen::Vector3d> touched;
+        for (const Particle& p : particles) {
+            if (p.body != body) continue;
+            for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
+                if (w > 0) touched[i] = lift(p.x + d);
+            });
+        }
+        double mass = 0;
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero(), linear = middle, angular = middle;
+        for (const auto& [i, x] : touched) {
+            mass += grid[i].mass;
+            middle += grid[i].mass * x;
+            linear += grid[i].mass * lift(grid[i].momentum);
+        }
+        middle /= mass;
+        Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+        for (const auto& [i, x] : touched) {
+            const Eigen::Vector3d r = x - middle;
+            turn += grid[i].mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+            angular += grid[i].mass * r.cross(lift(grid[i].momentum));
+        }
+        const Eigen::Vector3d omega = turn.inverse() * angular;
+        for (const auto& [i, x] : touched) grid[i].momentum = drop(linear / mass + omega.cross(x - middle));
     }
 
     Eigen::Matrix3d inertia(std::size_t body) const {

@@ -1,0 +1,19 @@
+#include "log.h"
+
+#include <cstdio>
+
+namespace tidewater {
+
+Log::Log(const std::filesystem::path& folder) : part_(folder / "log"), stream_(part_.part_path()) {}
+
+void Log::line(const std::string& text) {
+    std::fprintf(stderr, "%s\n", text.c_str());
+    stream_ << text << std::endl;
+}
+
+void Log::finish() {
+    stream_.close();
+    part_.commit();
+}
+
+}  // namespace tidewater

@@ -1,0 +1,172 @@
+#include "records.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/snapshot.h"
+#include "io/text.h"
+
+namespace tidewater {
+namespace {
+
+std::vector<std::string> gauge_columns(const std::vector<double>& gauges) {
+    std::vector<std::string> columns{"time"};
+    for (const double x : gauges) columns.push_back("x=" + io::format_number(x));
+    return columns;
+}
+
+template <int D>
+std::vector<std::string> ledger_columns() {
+    const std::vector<std::string> axes =
+        D == 2 ? std::vector<std::string>{"x", "z"} : std::vector<std::string>{"x", "y", "z"};
+    std::vector<std::string> columns{"time", "step", "mass"};
+    for (const auto& axis : axes) columns.push_back("momentum_" + axis);
+    for (const auto& axis : axes) columns.push_back("wall_impulse_" + axis);
+    columns.insert(columns.end(),
+                   {"gravity_impulse_z", "kinetic", "gravitational", "elastic", "boundary_work", "energy"});
+    return columns;
+}
+
+analysis::Tank make_tank(const scene::Scene& scene) {
+    const auto& size = scene.domain.size;
+    return {.dimension = scene.dimension,
+            .size = {size.front(), scene.dimension == 3 ? size[1] : 0.0, size.back()},
+            .cell_size = scene.domain.cell_size,
+            .still_level = scene.water.depth};
+}
+
+std::vector<analysis::Place> gauge_places(const scene::Scene& scene) {
+    std::vector<analysis::Place> places;
+    for (const double x : scene.simulate.gauges) {
+        places.push_back({.x = x, .y = scene.dimension == 3 ? 0.5 * scene.domain.size[1] : 0.0});
+    }
+    return places;
+}
+
+// Appends (x, y, z), y = 0 in 2D.
+template <int D, class Real>
+void append_lifted(const Vector<D, Real>& v, std::vector<float>& to) {
+    to.push_back(static_cast<float>(v[0]));
+    to.push_back(D == 3 ? static_cast<float>(v[1]) : 0.0f);
+    to.push_back(static_cast<float>(v[D - 1]));
+}
+
+// Whether a block, with what may have drifted out of it, reaches the columns that a gauge reads.
+template <int D>
+bool near_place(const mpm::Layout<D>& layout, const mpm::Index<D>& block, const analysis::Place& place) {
+    for (int axis = 0; axis < D - 1; ++axis) {
+        const double at = (axis == 0 ? place.x : place.y) / layout.cell_size;
+        const double first = layout.first_node(block[static_cast<std::size_t>(axis)]);
+        const double reach = analysis::surface_reach + 1.0;
+        if (at < first - reach || at > first + mpm::Block<D>::width + reach) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void remove_old_records(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        const bool frame = name.rfind("frame", 0) == 0 && name.find(".hdf") != std::string::npos;
+        const bool table = name.rfind("gauges.csv", 0) == 0 || name.rfind("ledger.csv", 0) == 0;
+        if (frame || table || name.rfind("log", 0) == 0) old.push_back(entry.path());
+    }
+    for (const auto& path : old) std::filesystem::remove(path);
+}
+
+template <int D, class Real>
+Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path& folder,
+                          const Provenance& provenance)
+    : folder_(folder),
+      provenance_(provenance),
+      tank_(make_tank(scene)),
+      places_(gauge_places(scene)),
+      gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
+      ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {}
+
+template <int D, class Real>
+void Records<D, Real>::write_frame(mpm::Simulation<D, Real>& s) {
+    io::Snapshot snapshot;
+    snapshot.dimension = D;
+    snapshot.time = s.time;
+    for (std::size_t body = 0; body < s.bodies.size(); ++body) {
+        const auto& particles = s.bodies[body];
+        const auto pressure = mpm::grid_pressure(s, body);
+        snapshot.pressure.insert(snapshot.pressure.end(), pressure.begin(), pressure.end());
+        snapshot.id.insert(snapshot.id.end(), particles.id.begin(), particles.id.end());
+        snapshot.material.insert(snapshot.material.end(), particles.size(),
+                                 static_cast<std::uint8_t>(particles.material));
+        snapshot.volume.insert(snapshot.volume.end(), particles.size(), static_cast<float>(particles.volume));
+        for (std::size_t slot = 0; slot + 1 < particles.begin.size(); ++slot) {
+            const auto block = s.grid.layout.block_at(s.grid.particle_blocks[slot]);
+            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+                append_lifted<D>(mpm::global_position<D, Real>(s.grid.layout, block, particles.position[p]),
+                                 snapshot.points);
+                append_lifted<D>(particles.velocity[p], snapshot.velocity);
+            }
+        }
+    }
+    io::write_snapshot(folder_ / io::snapshot_name(frame_times_.size()), snapshot, provenance_);
+    frame_times_.push_back(s.time);
+    io::write_series(folder_, frame_times_);
+}
+
+template <int D, class Real>
+std::vector<double> Records<D, Real>::surface_at_gauges(const mpm::Simulation<D, Real>& s) const {
+    std::vector<float> points, volume;
+    for (const auto& particles : s.bodies) {
+        if (particles.material != Material::water) continue;
+        for (std::size_t slot = 0; slot + 1 < particles.begin.size(); ++slot) {
+            const auto block = s.grid.layout.block_at(s.grid.particle_blocks[slot]);
+            const auto reaches = [&](const analysis::Place& place) {
+                return near_place<D>(s.grid.layout, block, place);
+            };
+            if (std::none_of(places_.begin(), places_.end(), reaches)) continue;
+            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+                append_lifted<D>(mpm::global_position<D, Real>(s.grid.layout, block, particles.position[p]),
+                                 points);
+                volume.push_back(static_cast<float>(particles.volume));
+            }
+        }
+    }
+    return analysis::surface_elevation({.points = points, .volume = volume, .material = {}}, tank_, places_);
+}
+
+template <int D, class Real>
+void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
+    std::vector<double> row{s.time};
+    const auto surface = surface_at_gauges(s);
+    row.insert(row.end(), surface.begin(), surface.end());
+    gauges_.append(row);
+
+    const mpm::Ledger<D> ledger = mpm::take_ledger(s);
+    energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic - s.wall_work;
+    if (first_row_) start_energy_ = highest_energy_ = energy_;
+    first_row_ = false;
+    highest_energy_ = std::max(highest_energy_, energy_);
+    Vector<D, double> residual = ledger.momentum - s.wall_impulse;
+    residual[D - 1] -= s.gravity_impulse;
+    momentum_residual_ = residual.norm();
+
+    row = {s.time, static_cast<double>(s.step), ledger.mass};
+    row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
+    row.insert(row.end(), s.wall_impulse.begin(), s.wall_impulse.end());
+    row.insert(row.end(), {s.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
+                           s.wall_work, energy_});
+    ledger_.append(row);
+}
+
+template <int D, class Real>
+void Records<D, Real>::finish() {
+    gauges_.finish();
+    ledger_.finish();
+}
+
+template class Records<2, float>;
+template class Records<2, double>;
+template class Records<3, float>;
+template class Records<3, double>;
+
+}  // namespace tidewater

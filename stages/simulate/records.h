@@ -1,0 +1,50 @@
+// What a run writes while it goes: frame_NNNN.hdf with frame.hdf.series, gauges.csv and ledger.csv.
+#pragma once
+
+#include <filesystem>
+
+#include "analysis/surface.h"
+#include "core/provenance.h"
+#include "io/table.h"
+#include "mpm/ledger.h"
+#include "scene/scene.h"
+
+namespace tidewater {
+
+// Removes the results of an earlier run, so that they cannot be taken for this one's.
+void remove_old_records(const std::filesystem::path& folder);
+
+template <int D, class Real>
+class Records {
+public:
+    Records(const scene::Scene& scene, const std::filesystem::path& folder, const Provenance& provenance);
+
+    void write_frame(mpm::Simulation<D, Real>& simulation);
+    void append_row(const mpm::Simulation<D, Real>& simulation);  // to gauges.csv and ledger.csv
+
+    // Gives the tables their names, ledger.csv last: when it exists, the run is whole.
+    void finish();
+
+    std::size_t frame_count() const { return frame_times_.size(); }
+    double start_energy() const { return start_energy_; }
+    double energy() const { return energy_; }
+    double highest_energy() const { return highest_energy_; }
+    double momentum_residual() const {
+        return momentum_residual_;
+    }  // kg m/s that neither gravity nor walls explain
+
+private:
+    std::vector<double> surface_at_gauges(const mpm::Simulation<D, Real>& simulation) const;
+
+    std::filesystem::path folder_;
+    Provenance provenance_;
+    analysis::Tank tank_;
+    std::vector<analysis::Place> places_;
+    io::TableWriter gauges_;
+    io::TableWriter ledger_;
+    std::vector<double> frame_times_;
+    double start_energy_ = 0.0, energy_ = 0.0, highest_energy_ = 0.0, momentum_residual_ = 0.0;
+    bool first_row_ = true;
+};
+
+}  // namespace tidewater

@@ -1,0 +1,70 @@
+#include "start.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "geometry/seeding.h"
+#include "io/vdb.h"
+
+namespace tidewater {
+namespace {
+
+template <int D>
+mpm::Walls<D> make_walls(const scene::Scene::Domain& domain) {
+    mpm::Walls<D> walls;
+    walls[0] = {domain.wall_left, domain.wall_right};
+    if constexpr (D == 3) walls[1] = {domain.wall_front, domain.wall_back};
+    walls[D - 1] = {domain.wall_bottom, domain.wall_top};
+    return walls;
+}
+
+void check_made_for(const scene::Scene& scene, const openvdb::FloatGrid& grid,
+                    const std::filesystem::path& file) {
+    const std::string part = stage_part(scene, scene::Stage::geometry);
+    if (geometry::marked_scene(grid) != hash_hex(hash_text(part))) {
+        throw InputError(file.string() +
+                         ": made for another scene or other settings; run tidewater-geometry again");
+    }
+}
+
+}  // namespace
+
+template <int D>
+mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path& file) {
+    mpm::Start<D> start;
+    start.cell_size = scene.domain.cell_size;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        start.cells[axis] = static_cast<int>(std::lround(scene.domain.size[axis] / scene.domain.cell_size));
+    }
+    start.parameters = {.gravity = scene.domain.gravity,
+                        .cfl = scene.simulate.cfl,
+                        .water = scene.water.model,
+                        .walls = make_walls<D>(scene.domain)};
+    std::size_t count = 0;
+    for (const auto& grid : io::read_level_sets(file)) {
+        check_made_for(scene, *grid, file);
+        if (grid->getName() == "tank") continue;
+        auto& body = start.bodies.emplace_back();
+        body.material = geometry::body_material(*grid);
+        body.volume = geometry::body_volume(*grid);
+        body.mass = body.volume *
+                    (body.material == Material::water ? scene.water.model.density : scene.block.density);
+        body.surface = scene.water.depth;
+        body.points = geometry::seed_points<D>(*grid, {.cell_size = scene.domain.cell_size,
+                                                       .per_axis = scene.particles.per_axis,
+                                                       .jitter = scene.particles.jitter,
+                                                       .seed = scene.seed,
+                                                       .stream = start.bodies.size()});
+        count += body.points.size();
+    }
+    if (count == 0)
+        throw SceneError("the scene has no particles: its bodies are empty; see water.* and block.*");
+    return start;
+}
+
+template mpm::Start<2> make_start<2>(const scene::Scene&, const std::filesystem::path&);
+template mpm::Start<3> make_start<3>(const scene::Scene&, const std::filesystem::path&);
+
+}  // namespace tidewater
