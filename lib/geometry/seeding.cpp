@@ -51,8 +51,9 @@ std::vector<Vector<D, double>> seed_points(const openvdb::FloatGrid& level_set, 
     std::vector<std::vector<Vector<D, double>>> of_slice(
         static_cast<std::size_t>(lattice.end[0] - lattice.begin[0]));
     parallel_for(of_slice.size(), [&](std::size_t slice) {
+        const auto accessor = level_set.getConstAccessor();
         const openvdb::tools::GridSampler<openvdb::FloatGrid::ConstAccessor, openvdb::tools::BoxSampler>
-            distance(level_set.getConstAccessor(), level_set.transform());
+            distance(accessor, level_set.transform());
         const long x = lattice.begin[0] + static_cast<long>(slice);
         for (long y = lattice.begin[1]; y < lattice.end[1]; ++y) {
             for (long z = lattice.begin[2]; z < lattice.end[2]; ++z) {

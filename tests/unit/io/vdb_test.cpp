@@ -10,17 +10,12 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "support/temporary_folder.h"
 
 using namespace tidewater;
 using namespace tidewater::io;
 
 namespace {
-
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "tidewater_vdb_test";
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-};
 
 openvdb::FloatGrid::Ptr sphere() {
     openvdb::initialize();
@@ -34,26 +29,26 @@ const Provenance provenance{"tidewater-geometry", "0", "test", "0123", 7};
 }  // namespace
 
 TEST_CASE("level sets come back with their names, values and metadata") {
-    const Folder folder;
-    const auto file = folder.path / "a.vdb";
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "a.vdb";
     write_level_sets(file, {sphere()}, provenance);
     const auto grids = read_level_sets(file);
     REQUIRE(grids.size() == 1);
     CHECK(grids[0]->getName() == "water");
     CHECK(grids[0]->activeVoxelCount() == sphere()->activeVoxelCount());
-    CHECK_FALSE(std::filesystem::exists(folder.path / "a.vdb.part"));
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "a.vdb.part"));
 }
 
 TEST_CASE("the same level sets give the same bytes") {
-    const Folder folder;
-    write_level_sets(folder.path / "a.vdb", {sphere()}, provenance);
-    write_level_sets(folder.path / "b.vdb", {sphere()}, provenance);
-    CHECK(read_text(folder.path / "a.vdb") == read_text(folder.path / "b.vdb"));
+    const test::TemporaryFolder folder;
+    write_level_sets(folder.path() / "a.vdb", {sphere()}, provenance);
+    write_level_sets(folder.path() / "b.vdb", {sphere()}, provenance);
+    CHECK(read_text(folder.path() / "a.vdb") == read_text(folder.path() / "b.vdb"));
 }
 
 TEST_CASE("truncated, damaged, foreign and missing files are refused with a line") {
-    const Folder folder;
-    const auto file = folder.path / "a.vdb";
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "a.vdb";
     write_level_sets(file, {sphere()}, provenance);
     const std::string whole = read_text(file);
     const auto expect = [&](const std::string& bytes, const char* words) {

@@ -194,7 +194,7 @@ TEST_CASE("grid pressure of still water is hydrostatic away from walls and surfa
     });
 }
 
-TEST_CASE("a simulation without particles has nothing to do; gravity alone bounds its step") {
+TEST_CASE("a simulation without particles has nothing to do and gravity bounds its step") {
     auto s = make_simulation<2, float>(test::tank_start<2>(0.1, {10, 10}, 0.0, 10.0));
     CHECK(s.particle_count() == 0);
     CHECK(stable_time_step(s) == doctest::Approx(std::sqrt(0.5 * 0.1 / 9.81)));
