@@ -1,6 +1,7 @@
 #include "mpm/grid.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/parallel.h"
 
@@ -145,7 +146,21 @@ void load_tile(const Grid<D, Real>& grid, std::size_t slot, Node<Real>* tile) {
     });
 }
 
+template <int D, class Real>
+void divide_by_mass(Node<Real>* nodes) {
+    for (int n = 0; n < Block<D>::nodes; ++n) {
+        const Real mass = nodes[n][mass_lane];
+        if (!(mass > std::numeric_limits<Real>::min())) {
+            nodes[n].setZero();
+            continue;
+        }
+        nodes[n] *= Real(1) / mass;
+        nodes[n][mass_lane] = mass;
+    }
+}
+
 #define TIDEWATER_INSTANTIATE(D, Real)                                       \
+    template void divide_by_mass<D, Real>(Node<Real>*);                      \
     template void activate(Grid<D, Real>&, std::vector<int>);                \
     template void sum_tiles(const Grid<D, Real>&, std::size_t, Node<Real>*); \
     template void load_tile(const Grid<D, Real>&, std::size_t, Node<Real>*);

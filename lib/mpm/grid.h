@@ -65,4 +65,8 @@ void sum_tiles(const Grid<D, Real>& grid, std::size_t slot, Node<Real>* nodes);
 template <int D, class Real>
 void load_tile(const Grid<D, Real>& grid, std::size_t slot, Node<Real>* tile);
 
+// Turns the momenta of one block's nodes into velocities; nodes without mass become zero.
+template <int D, class Real>
+void divide_by_mass(Node<Real>* nodes);
+
 }  // namespace tidewater::mpm

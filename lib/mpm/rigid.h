@@ -1,11 +1,5 @@
 // A rigid body: its particles move as one (shared/physics.md §5).
 //
-// On the grid, every node that the body's particles touch moves as the body does, the water's share of it
-// too: U(x) is the rigid motion with the linear and angular momentum of these nodes. Water then feels a wall
-// that moves with the body. (Without this, pressure would push the nodes at its surface by Δt p/(ρ Δx) per
-// step relative to the body, and water would leak in at that speed: 0.07 m/s at Δx = 4 cm, c0 = 31 m/s and
-// half a metre of depth.)
-//
 // After the particles gathered their velocities from the grid, the body takes over their momentum and goes on
 // with the one rigid motion that has the same linear and angular momentum:
 //
@@ -42,12 +36,6 @@ struct RigidBody {
 template <int D, class Real>
 RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double cell_size,
                           Particles<D, Real>& particles);
-
-// Gives the nodes that these particles touch the rigid motion that keeps their momentum. The grid holds
-// velocities and masses; its tiles are overwritten. `center` is the body's, m, about which moments are taken.
-template <int D, class Real>
-void move_nodes_as_one(const Particles<D, Real>& particles, const Eigen::Vector3d& center,
-                       Grid<D, Real>& grid);
 
 struct RigidMotion {
     double greatest_speed = 0.0;                             // of a particle, m/s

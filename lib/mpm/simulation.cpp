@@ -7,6 +7,8 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "mpm/binning.h"
+#include "mpm/rigid_nodes.h"
 #include "mpm/transfer.h"
 
 namespace tidewater::mpm {
@@ -52,28 +54,16 @@ void scatter_all(Simulation<D, Real>& s, double dt) {
     });
 }
 
-// Momentum → velocity, and gravity's share of it.
-template <int D, class Real>
-void update_velocities(Real gravity_dt, Node<Real>* nodes) {
-    for (int n = 0; n < Block<D>::nodes; ++n) {
-        const Real mass = nodes[n][mass_lane];
-        if (!(mass > std::numeric_limits<Real>::min())) {
-            nodes[n].setZero();
-            continue;
-        }
-        nodes[n] *= Real(1) / mass;
-        nodes[n][mass_lane] = mass;
-        nodes[n][D - 1] -= gravity_dt;
-    }
-}
-
 template <int D, class Real>
 void update_grid(Simulation<D, Real>& s, double dt) {
     const auto gravity_dt = static_cast<Real>(s.parameters.gravity * dt);
     parallel_for(s.grid.node_blocks.size(), [&](std::size_t slot) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         sum_tiles(s.grid, slot, nodes);
-        update_velocities<D>(gravity_dt, nodes);
+        divide_by_mass<D>(nodes);
+        for (int n = 0; n < Block<D>::nodes; ++n) {
+            if (nodes[n][mass_lane] > Real(0)) nodes[n][D - 1] -= gravity_dt;
+        }
     });
     std::size_t next_rigid = 0;
     for (const auto& particles : s.bodies) {
@@ -205,40 +195,6 @@ std::size_t Simulation<D, Real>::particle_count() const {
 }
 
 template <int D, class Real>
-Simulation<D, Real> make_simulation(const Start<D>& start) {
-    Simulation<D, Real> s;
-    s.parameters = start.parameters;
-    s.grid.layout = Layout<D>(start.cell_size, start.cells);
-    std::vector<std::vector<int>> block_of;
-    std::uint32_t next_id = 0;
-    double least_j = 0.0;
-    for (const auto& body : start.bodies) {
-        if (body.points.empty()) continue;
-        Particles<D, Real>& particles = s.bodies.emplace_back();
-        const auto count = static_cast<double>(body.points.size());
-        particles.material = body.material;
-        particles.mass = body.mass / count;
-        particles.volume = body.volume / count;
-        block_of.push_back(place(s.grid.layout, body.points, next_id, particles));
-        next_id += static_cast<std::uint32_t>(body.points.size());
-        if (body.material == Material::rigid) {
-            s.rigid.push_back(make_rigid_body(body.points, start.cell_size, particles));
-        } else {
-            for (const auto& point : body.points) {
-                const double j =
-                    hydrostatic_j(body.surface - point[D - 1], s.parameters.gravity, s.parameters.water);
-                particles.j.push_back(static_cast<Real>(j));
-                least_j = std::min(least_j, j);
-            }
-            s.speeds.sound = s.parameters.water.sound_speed *
-                             water_sound_speed_ratio(least_j, s.parameters.water.exponent);
-        }
-    }
-    sort_into_blocks<D, Real>(s.grid, s.bodies, block_of);
-    return s;
-}
-
-template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& s) {
     const double reach = s.parameters.cfl * s.grid.layout.cell_size;
     return std::min(reach / (s.speeds.sound + s.speeds.particle), std::sqrt(reach / s.parameters.gravity));
@@ -262,43 +218,6 @@ void advance(Simulation<D, Real>& s, double dt) {
 }
 
 template <int D, class Real>
-std::vector<float> grid_pressure(Simulation<D, Real>& s, std::size_t body) {
-    // Volume takes the place of mass and pressure that of one velocity component: P2G then averages it.
-    const auto bulk = static_cast<Real>(s.parameters.water.bulk_modulus());
-    const int exponent = s.parameters.water.exponent;
-    parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
-        Node<Real>* tile = s.grid.tile(slot);
-        std::fill_n(tile, Block<D>::tile_nodes, Node<Real>::Zero());
-        for (const auto& particles : s.bodies) {
-            if (particles.material != Material::water) continue;
-            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-                const Real volume = static_cast<Real>(particles.volume) * (Real(1) + particles.j[p]);
-                Vector<D, Real> weighted = Vector<D, Real>::Zero();
-                weighted[0] = volume * water_pressure(particles.j[p], bulk, exponent);
-                scatter<D, Real>(particles.position[p], volume, weighted, Matrix<D, Real>::Zero(), tile);
-            }
-        }
-    });
-    parallel_for(s.grid.node_blocks.size(), [&](std::size_t slot) {
-        sum_tiles(s.grid, slot, s.grid.block_nodes(slot));
-        update_velocities<D>(Real(0), s.grid.block_nodes(slot));
-    });
-    const Particles<D, Real>& particles = s.bodies[body];
-    std::vector<float> pressure(particles.size());
-    parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
-        std::array<Node<Real>, static_cast<std::size_t>(Block<D>::tile_nodes)> tile;
-        load_tile(s.grid, slot, tile.data());
-        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-            Vector<D, Real> value;
-            Matrix<D, Real> unused;
-            gather<D, Real>(particles.position[p], tile.data(), value, unused);
-            pressure[p] = static_cast<float>(value[0]);
-        }
-    });
-    return pressure;
-}
-
-template <int D, class Real>
 std::uint64_t state_hash(const Simulation<D, Real>& s) {
     std::uint64_t hash = hash_start;
     const auto add = [&](const auto& column) { hash = hash_bytes(std::as_bytes(std::span(column)), hash); };
@@ -313,12 +232,10 @@ std::uint64_t state_hash(const Simulation<D, Real>& s) {
     return hash;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                            \
-    template struct Simulation<D, Real>;                                          \
-    template Simulation<D, Real> make_simulation(const Start<D>&);                \
-    template double stable_time_step(const Simulation<D, Real>&);                 \
-    template void advance(Simulation<D, Real>&, double);                          \
-    template std::vector<float> grid_pressure(Simulation<D, Real>&, std::size_t); \
+#define TIDEWATER_INSTANTIATE(D, Real)                            \
+    template struct Simulation<D, Real>;                          \
+    template double stable_time_step(const Simulation<D, Real>&); \
+    template void advance(Simulation<D, Real>&, double);          \
     template std::uint64_t state_hash(const Simulation<D, Real>&);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)

@@ -16,7 +16,6 @@
 #include <chrono>
 #include <string_view>
 
-#include "mpm/binning.h"
 #include "mpm/boundary.h"
 #include "mpm/rigid.h"
 #include "mpm/water.h"
@@ -61,26 +60,6 @@ struct Simulation {
     std::size_t particle_count() const;
 };
 
-// What a simulation starts from. Points in m, in the box from 0 to cells Δx.
-template <int D>
-struct Start {
-    struct Body {
-        Material material = Material::water;
-        std::vector<Vector<D, double>> points;
-        double mass = 0.0;     // of the whole body, kg
-        double volume = 0.0;   // of the whole body at rest, m³
-        double surface = 0.0;  // water: height of the still surface, from which it starts hydrostatic, m
-    };
-    double cell_size = 0.0;
-    Index<D> cells{};
-    Parameters<D> parameters;
-    std::vector<Body> bodies;  // bodies without points are left out
-};
-
-// Throws NumericsError if a point lies outside of the box.
-template <int D, class Real>
-Simulation<D, Real> make_simulation(const Start<D>& start);
-
 // The longest stable step now, s. Infinite only without gravity, water and motion.
 template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& simulation);
@@ -89,12 +68,6 @@ double stable_time_step(const Simulation<D, Real>& simulation);
 // collapses (J ≤ 0) or a particle leaves the box.
 template <int D, class Real>
 void advance(Simulation<D, Real>& simulation, double dt);
-
-// For every particle of `body`, in its present order: the pressure of the water around it, averaged over the
-// grid with the particles' volumes as weights (Pa; 0 where there is no water). A particle's own pressure is
-// noisy.
-template <int D, class Real>
-std::vector<float> grid_pressure(Simulation<D, Real>& simulation, std::size_t body);
 
 // Fingerprint of positions, velocities, gradients, volumes and order of all particles.
 template <int D, class Real>

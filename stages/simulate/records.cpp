@@ -5,6 +5,7 @@
 
 #include "io/snapshot.h"
 #include "io/text.h"
+#include "mpm/pressure.h"
 
 namespace tidewater {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "mpm/simulation.h"
+#include "mpm/start.h"
 #include "scene/scene.h"
 
 namespace tidewater {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "mpm/simulation.h"
+#include "mpm/start.h"
 
 namespace tidewater::test {
 

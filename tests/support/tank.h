@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/random.h"
-#include "mpm/simulation.h"
+#include "mpm/start.h"
 
 namespace tidewater::test {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "mpm/rigid_nodes.h"
 #include "mpm/transfer.h"
 #include "support/tank.h"
 

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "mpm/ledger.h"
+#include "mpm/pressure.h"
 #include "support/dense_twin.h"
 #include "support/tank.h"
 

@@ -1,0 +1,28 @@
+// How a simulation begins: bodies of particles at rest in a box.
+#pragma once
+
+#include "mpm/simulation.h"
+
+namespace tidewater::mpm {
+
+// What a simulation starts from. Points in m, in the box from 0 to cells Δx.
+template <int D>
+struct Start {
+    struct Body {
+        Material material = Material::water;
+        std::vector<Vector<D, double>> points;
+        double mass = 0.0;     // of the whole body, kg
+        double volume = 0.0;   // of the whole body at rest, m³
+        double surface = 0.0;  // water: height of the still surface, from which it starts hydrostatic, m
+    };
+    double cell_size = 0.0;
+    Index<D> cells{};
+    Parameters<D> parameters;
+    std::vector<Body> bodies;  // bodies without points are left out
+};
+
+// Throws NumericsError if a point lies outside of the box.
+template <int D, class Real>
+Simulation<D, Real> make_simulation(const Start<D>& start);
+
+}  // namespace tidewater::mpm
