@@ -50,10 +50,18 @@ void find_leading_wave(std::span<const double> time, std::span<const double> val
 
     const auto next = std::upper_bound(crossings.begin(), crossings.end(), crest.time);
     const std::size_t end = next == crossings.end() ? value.size() : count_until(time, *next);
+    std::size_t lowest = peak;
     for (std::size_t i = peak; i < end; ++i) {
-        if (!(value[i] >= wave.trough) && !std::isnan(value[i])) wave.trough = value[i];
+        if (value[i] < value[lowest]) lowest = i;
     }
-    wave.height = wave.crest - wave.trough;
+    // The record ends in the fall if its last quarter since the crest still fell by as much as counts as a
+    // wave.
+    const std::size_t before = count_until(time, 0.75 * time.back() + 0.25 * time[peak]) - 1;
+    const bool still_falls = lowest + 1 == value.size() && value[before] - value[lowest] > margin;
+    if (!still_falls) {
+        wave.trough = value[lowest];
+        wave.height = wave.crest - wave.trough;
+    }
     if (next != crossings.end() && next != crossings.begin()) wave.period = *next - *(next - 1);
 }
 

@@ -29,11 +29,12 @@ struct WaveSettings {
 
 // NaN stands for what the record does not hold: no wave, no crest yet, no second wave.
 struct GaugeWave {
-    double x = none;              // of the gauge, m
-    double arrival = none;        // s; |η| first passes the threshold
-    double crest_time = none;     // s, of the leading crest
-    double crest = none;          // η of the leading crest, m
-    double trough = none;         // lowest η of the leading wave after its crest, m
+    double x = none;           // of the gauge, m
+    double arrival = none;     // s; |η| first passes the threshold
+    double crest_time = none;  // s, of the leading crest
+    double crest = none;       // η of the leading crest, m
+    double trough =
+        none;  // lowest η of the leading wave after its crest, m; none if the record ends in the fall
     double height = none;         // crest - trough, m
     double period = none;         // s, of the leading wave, between zero-up-crossings
     double greatest = none;       // greatest η, m

@@ -46,10 +46,10 @@ std::string cell(double value, int width, int decimals) {
            text;
 }
 
-std::string describe_speed(const char* what, double speed, double reference) {
-    if (std::isnan(speed)) return std::string("celerity from ") + what + ": too few gauges saw the wave\n";
+std::string describe_speed(double speed, double reference) {
+    if (std::isnan(speed)) return "celerity: too few gauges saw the wave\n";
     const double error = error_percent(speed, reference);
-    return std::string("celerity from ") + what + ": " + io::format_fixed(speed, 3) + " m/s, " +
+    return "celerity of the leading crest: " + io::format_fixed(speed, 3) + " m/s, " +
            (error < 0.0 ? "" : "+") + io::format_fixed(error, 1) +
            " % of sqrt(g D) = " + io::format_fixed(reference, 3) + " m/s\n";
 }
@@ -136,8 +136,8 @@ std::string describe(const Waves& waves) {
                 cell(i < waves.to_next.size() ? waves.to_next[i].from_crests : analysis::none, 24, 3) + "\n";
     }
     if (waves.gauges.empty()) return "no gauges: name some with simulate.gauges or postprocess.gauges\n";
-    return text + describe_speed("crests", waves.overall.from_crests, waves.long_wave_celerity) +
-           describe_speed("arrivals", waves.overall.from_arrivals, waves.long_wave_celerity);
+    // The arrivals' speed is left to waves.csv: the front of a wave that disperses runs ahead of its crest.
+    return text + describe_speed(waves.overall.from_crests, waves.long_wave_celerity);
 }
 
 }  // namespace tidewater::postprocess

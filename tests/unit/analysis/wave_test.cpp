@@ -135,6 +135,15 @@ TEST_CASE("a wave that still rises at the end has arrived but has no crest") {
     CHECK(std::isnan(wave.height));
 }
 
+TEST_CASE("a record that ends between crest and trough has a crest but no height") {
+    const auto falling =
+        record(2.5, 0.01, [](double t) { return t < 0.5 ? 0.0 : 0.1 * std::sin(pi * (t - 0.5) / 1.6); });
+    const GaugeWave wave = falling.analyse(5.0);
+    CHECK(wave.crest == doctest::Approx(0.1).epsilon(0.02));
+    CHECK(std::isnan(wave.trough));
+    CHECK(std::isnan(wave.height));
+}
+
 TEST_CASE("empty, single and dry records hold nothing") {
     CHECK(std::isnan(Record{}.analyse(3.0).greatest));
     const GaugeWave one = Record{{1.0}, {0.05}}.analyse(3.0);
