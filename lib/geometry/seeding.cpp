@@ -20,12 +20,12 @@ struct Lattice {
     Lattice(const openvdb::FloatGrid& level_set, const Seeding& seeding)
         : spacing(seeding.cell_size / seeding.per_axis) {
         const auto box = level_set.evalActiveVoxelBoundingBox();
-        for (int axis = 0; axis < 3; ++axis) {
+        const auto voxel = level_set.voxelSize();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
             if (D == 2 && axis == 1) continue;
-            const double voxel = level_set.voxelSize()[axis];
-            const auto a = static_cast<std::size_t>(axis);
-            begin[a] = static_cast<long>(std::floor(box.min()[axis] * voxel / spacing)) - 1;
-            end[a] = static_cast<long>(std::ceil(box.max()[axis] * voxel / spacing)) + 1;
+            const double per_voxel = voxel[static_cast<int>(axis)] / spacing;
+            begin[axis] = static_cast<long>(std::floor(box.min()[axis] * per_voxel)) - 1;
+            end[axis] = static_cast<long>(std::ceil(box.max()[axis] * per_voxel)) + 1;
         }
     }
 
