@@ -6,12 +6,12 @@
 #include <vtkPNGWriter.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "core/error.h"
 #include "core/files.h"
 
 namespace tidewater::io {
@@ -141,16 +141,15 @@ void Canvas::write_png(const std::filesystem::path& path, const Provenance& prov
             pixel[2] = color.blue;
         }
     }
-    PartFile part(path);
     vtkNew<vtkPNGWriter> writer;
+    writer->WriteToMemoryOn();
     for (const auto& [name, text] : provenance_fields(provenance))
         writer->AddText(name.c_str(), text.c_str());
-    writer->SetFileName(part.part_path().c_str());
     writer->SetInputData(image);
     writer->Write();
-    if (writer->GetErrorCode() != 0)
-        throw OutputError(path.string() + ": writing failed; free disk space and run again");
-    part.commit();
+    vtkUnsignedCharArray* bytes = writer->GetResult();
+    write_text(path, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                      static_cast<std::size_t>(bytes->GetNumberOfValues())});
 }
 
 }  // namespace tidewater::io

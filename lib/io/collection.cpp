@@ -15,7 +15,6 @@
 #include <cstdio>
 #include <numeric>
 
-#include "core/error.h"
 #include "core/files.h"
 #include "io/text.h"
 
@@ -51,13 +50,20 @@ vtkNew<vtkCellArray> one_cell(std::size_t point_count) {
     return cells;
 }
 
-void add_provenance(vtkPolyData* data, const Provenance& provenance) {
-    for (const auto& [name, text] : provenance_fields(provenance)) {
-        vtkNew<vtkStringArray> array;
-        array->SetName(name.c_str());
-        array->InsertNextValue(text);
-        data->GetFieldData()->AddArray(array);
-    }
+void add_field(vtkPolyData* data, const std::string& name, const std::string& text) {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name.c_str());
+    array->InsertNextValue(text);
+    data->GetFieldData()->AddArray(array);
+}
+
+// Within an XML comment there must be no "--": a blank goes between.
+std::string xml_comment(const Provenance& provenance) {
+    std::string text;
+    for (const auto& [name, value] : provenance_fields(provenance)) text += name + ": " + value + "\n";
+    for (auto at = text.find("--"); at != std::string::npos; at = text.find("--", at))
+        text.insert(at + 1, " ");
+    return "<!--\n" + text + "-->\n";
 }
 
 }  // namespace
@@ -80,24 +86,26 @@ void write_particles(const std::filesystem::path& path, const Snapshot& snapshot
     });
     const std::vector<float> speed = magnitudes(snapshot.velocity);
     data->GetPointData()->AddArray(borrow("velocity_magnitude", 1, speed));
-    add_provenance(data, provenance);
+    add_field(data, "format", "tidewater-particles");
+    add_field(data, "format_version", std::to_string(particles_format_version));
+    for (const auto& [name, text] : provenance_fields(provenance)) add_field(data, name, text);
 
-    PartFile part(path);
+    // In memory first: VTK's own writing to a full disk leaves half a file, or crashes.
     vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetFileName(part.part_path().c_str());
+    writer->WriteToOutputStringOn();
     writer->SetInputData(data);
     writer->SetDataModeToBinary();
     writer->SetCompressorTypeToZLib();
     writer->SetCompressionLevel(1);
-    if (writer->Write() == 0)
-        throw OutputError(path.string() + ": writing failed; free disk space and run again");
-    part.commit();
+    writer->Write();
+    write_text(path, writer->GetOutputString());
 }
 
-void write_collection(const std::filesystem::path& path, const std::vector<CollectionEntry>& entries) {
-    std::string xml =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-        "  <Collection>\n";
+void write_collection(const std::filesystem::path& path, const std::vector<CollectionEntry>& entries,
+                      const Provenance& provenance) {
+    std::string xml = "<?xml version=\"1.0\"?>\n" + xml_comment(provenance) +
+                      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                      "  <Collection>\n";
     for (const CollectionEntry& entry : entries) {
         xml += "    <DataSet timestep=\"" + format_number(entry.time) + "\" part=\"0\" file=\"" +
                escape_xml(entry.name) + "\"/>\n";

@@ -15,10 +15,12 @@
 
 namespace tidewater::io {
 
+inline constexpr int particles_format_version = 1;
+
 // "particles_0007.vtp"; more digits from frame 10000 on.
 std::string particles_name(std::size_t frame);
 
-// Replaces path as a whole; the provenance goes into field data. Throws OutputError.
+// Replaces path as a whole; format, format_version and the provenance go into field data. Throws OutputError.
 void write_particles(const std::filesystem::path& path, const Snapshot& snapshot,
                      const Provenance& provenance);
 
@@ -27,7 +29,8 @@ struct CollectionEntry {
     double time = 0.0;  // s
 };
 
-// Replaces path as a whole. Throws OutputError.
-void write_collection(const std::filesystem::path& path, const std::vector<CollectionEntry>& entries);
+// Replaces path as a whole; the provenance goes into an XML comment. Throws OutputError.
+void write_collection(const std::filesystem::path& path, const std::vector<CollectionEntry>& entries,
+                      const Provenance& provenance);
 
 }  // namespace tidewater::io

@@ -146,7 +146,7 @@ std::vector<GaugeRecord> process_frames(const StageContext& context, const Frame
         progress.update(0.95 * static_cast<double>(frame + 1) / static_cast<double>(frames.files.size()),
                         "t = " + io::format_fixed(snapshot.time, 2) + " s");
     }
-    io::write_collection(context.folder / "particles.pvd", collection);
+    io::write_collection(context.folder / "particles.pvd", collection, context.provenance);
     draw_pictures(context, frames, chosen, fastest, progress);
     progress.update(1.0);
     return records;

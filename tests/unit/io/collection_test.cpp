@@ -13,6 +13,7 @@
 #include <vtkXMLUtilities.h>
 
 #include "core/files.h"
+#include "io/canvas.h"
 #include "unit/io/fixture.h"
 
 using namespace tidewater;
@@ -50,7 +51,12 @@ TEST_CASE("VTK reads back the points, the cell, every column and the speed") {
         }
     });
     CHECK(data->GetPointData()->GetArray("velocity_magnitude")->GetComponent(10, 0) == 50.0);
-    CHECK(data->GetFieldData()->GetAbstractArray("scene_hash")->GetVariantValue(0).ToString() == "00ff");
+    const auto field = [&](const char* name) {
+        return std::string(data->GetFieldData()->GetAbstractArray(name)->GetVariantValue(0).ToString());
+    };
+    CHECK(field("scene_hash") == "00ff");
+    CHECK(field("format") == "tidewater-particles");
+    CHECK(field("format_version") == "1");
 }
 
 TEST_CASE("data is inline, for appended data does not open in ParaView 5.11") {
@@ -77,9 +83,19 @@ TEST_CASE("a folder that is not there gives an error, and no file") {
     CHECK(folder.file_count() == 0);
 }
 
+TEST_CASE("a full disk gives an error, and no file") {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("/dev/full", folder / "a.vtp.part");
+    std::filesystem::create_symlink("/dev/full", folder / "a.png.part");
+    CHECK_THROWS_AS(write_particles(folder / "a.vtp", test_snapshot(1000), test_provenance()), OutputError);
+    CHECK_THROWS_AS(Canvas(300, 300).write_png(folder / "a.png", test_provenance()), OutputError);
+    CHECK(folder.file_count() == 0);
+}
+
 TEST_CASE("the collection names every file with its time") {
     const TemporaryFolder folder;
-    write_collection(folder / "particles.pvd", {{"particles_0000.vtp", 0.0}, {"particles_0001.vtp", 0.1}});
+    write_collection(folder / "particles.pvd", {{"particles_0000.vtp", 0.0}, {"particles_0001.vtp", 0.1}},
+                     test_provenance());
     const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
         vtkXMLUtilities::ReadElementFromFile((folder / "particles.pvd").c_str()));
     REQUIRE(root);
@@ -87,4 +103,16 @@ TEST_CASE("the collection names every file with its time") {
     vtkXMLDataElement* second = root->GetNestedElement(0)->GetNestedElement(1);
     CHECK(std::string(second->GetAttribute("file")) == "particles_0001.vtp");
     CHECK(std::string(second->GetAttribute("timestep")) == "0.1");
+}
+
+TEST_CASE("the collection's provenance is a comment that XML allows") {
+    const TemporaryFolder folder;
+    Provenance provenance = test_provenance();
+    provenance.command = "tidewater-test --set a=---1 --";
+    write_collection(folder / "a.pvd", {{"particles_0000.vtp", 0.0}}, provenance);
+    const std::string text = read_text(folder / "a.pvd");
+    CHECK(text.find("scene_hash: 00ff\n") != std::string::npos);
+    CHECK(text.find("command: tidewater-test - -set a=- - -1 - -\n") != std::string::npos);
+    CHECK(vtkSmartPointer<vtkXMLDataElement>::Take(
+        vtkXMLUtilities::ReadElementFromFile((folder / "a.pvd").c_str())));
 }
