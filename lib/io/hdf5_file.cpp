@@ -31,6 +31,11 @@ Hdf5Handle array_properties(std::size_t rows, int components, Packing packing) {
     return properties;
 }
 
+H5T_class_t attribute_class(const Hdf5Handle& attribute) {
+    const Hdf5Handle type(H5Aget_type(attribute.id()));
+    return H5Tget_class(type.id());
+}
+
 }  // namespace
 
 Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
@@ -159,6 +164,10 @@ Hdf5Handle Hdf5Reader::open_attribute(const std::string& object, const std::stri
     const QuietHdf5 quiet;
     Hdf5Handle found(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
     if (!found.valid()) fail("attribute " + name + " is missing");
+    const Hdf5Handle space(H5Aget_space(found.id()));
+    if (H5Sget_simple_extent_npoints(space.id()) != 1) {
+        fail("attribute " + name + " does not hold one value; the file is of another program");
+    }
     return found;
 }
 
@@ -166,7 +175,9 @@ double Hdf5Reader::number(const std::string& object, const std::string& name) co
     const Hdf5Handle found = open_attribute(object, name);
     const QuietHdf5 quiet;
     double value = 0.0;
-    if (H5Aread(found.id(), H5T_NATIVE_DOUBLE, &value) < 0) fail("attribute " + name + " is no number");
+    const H5T_class_t kind = attribute_class(found);
+    if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Aread(found.id(), H5T_NATIVE_DOUBLE, &value) < 0)
+        fail("attribute " + name + " is no number");
     return value;
 }
 
@@ -174,7 +185,8 @@ std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& n
     const Hdf5Handle found = open_attribute(object, name);
     const QuietHdf5 quiet;
     std::int64_t value = 0;
-    if (H5Aread(found.id(), H5T_NATIVE_INT64, &value) < 0) fail("attribute " + name + " is no integer");
+    if (attribute_class(found) != H5T_INTEGER || H5Aread(found.id(), H5T_NATIVE_INT64, &value) < 0)
+        fail("attribute " + name + " is no integer");
     return value;
 }
 

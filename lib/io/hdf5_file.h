@@ -91,6 +91,7 @@ public:
     Hdf5Reader(std::filesystem::path path, std::string remedy);
 
     bool has_attribute(const std::string& object, const std::string& name) const;
+    // An attribute of one value of that kind; anything else is an error.
     double number(const std::string& object, const std::string& name) const;
     std::int64_t integer(const std::string& object, const std::string& name) const;
     std::string text(const std::string& object, const std::string& name) const;

@@ -67,14 +67,15 @@ Hdf5Reader open_snapshot(const std::filesystem::path& path) {
     return file;
 }
 
-// The number in "frame_0012.hdf"; nothing for any other name.
+// The number in "frame_0012.hdf"; nothing for a name that snapshot_name does not make.
 std::optional<std::size_t> frame_number(const std::string& name) {
     constexpr std::string_view prefix = "frame_", suffix = ".hdf";
     if (name.size() <= prefix.size() + suffix.size()) return {};
     if (!name.starts_with(prefix) || !name.ends_with(suffix)) return {};
     const std::string digits = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
     if (digits.find_first_not_of("0123456789") != std::string::npos || digits.size() > 18) return {};
-    return std::stoull(digits);
+    const std::size_t number = std::stoull(digits);
+    return name == snapshot_name(number) ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace
@@ -141,7 +142,14 @@ std::vector<std::filesystem::path> list_snapshots(const std::filesystem::path& f
     }
     std::sort(found.begin(), found.end());
     std::vector<std::filesystem::path> paths;
-    for (const auto& [number, path] : found) paths.push_back(path);
+    for (const auto& [number, path] : found) {
+        if (number != paths.size()) {
+            throw InputError(
+                (folder / snapshot_name(paths.size())).string() +
+                ": the file is missing, though later ones are there; run tidewater-simulate again");
+        }
+        paths.push_back(path);
+    }
     return paths;
 }
 

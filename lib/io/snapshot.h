@@ -70,7 +70,8 @@ Snapshot read_snapshot(const std::filesystem::path& path);
 // The time alone, without reading the particles. Throws like read_snapshot.
 double read_snapshot_time(const std::filesystem::path& path);
 
-// The snapshots in a folder, in the order of their numbers. Throws InputError if there is none.
+// The snapshots in a folder, in the order of their numbers, which run from 0 without a gap. Throws InputError
+// if there is none or one is missing.
 std::vector<std::filesystem::path> list_snapshots(const std::filesystem::path& folder);
 
 // Replaces folder/frame.hdf.series, by which ParaView shows the frames as one animation with their times.

@@ -9,6 +9,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <array>
+#include <fstream>
 
 #include "core/files.h"
 #include "io/hdf5_file.h"
@@ -133,6 +134,23 @@ TEST_CASE("a missing, truncated or foreign file gives one line with the file, th
     CHECK(line() == path.string() + ": array /VTKHDF/Points is missing" + remedy);
 }
 
+TEST_CASE("attributes of another shape or kind give an error instead of being read") {
+    const TemporaryFolder folder;
+    Hdf5Writer writer(folder / "a.hdf");
+    writer.attribute("/", "many", std::vector<std::int64_t>(1000, 7));
+    writer.attribute("/", "text", "seven");
+    writer.attribute("/", "real", 7.5);
+    writer.close();
+    const Hdf5Reader file(folder / "a.hdf", "remedy");
+    const std::string many = "attribute many does not hold one value";
+    CHECK(input_error([&] { file.number("/", "many"); }).find(many) != std::string::npos);
+    CHECK(input_error([&] { file.integer("/", "many"); }).find(many) != std::string::npos);
+    CHECK(input_error([&] { file.text("/", "many"); }).find(many) != std::string::npos);
+    CHECK(input_error([&] { file.number("/", "text"); }).find("is no number") != std::string::npos);
+    CHECK(input_error([&] { file.integer("/", "real"); }).find("is no integer") != std::string::npos);
+    CHECK(input_error([&] { file.text("/", "real"); }).find("is no fixed-size text") != std::string::npos);
+}
+
 TEST_CASE("a flipped byte in the particles is found by its checksum") {
     const TemporaryFolder folder;
     const auto path = folder / "frame_0000.hdf";
@@ -150,17 +168,28 @@ TEST_CASE("a flipped byte in the particles is found by its checksum") {
 
 TEST_CASE("lists the snapshots of a folder by number, and nothing else") {
     const TemporaryFolder folder;
-    for (const char* name : {"frame_0002.hdf", "frame_10000.hdf", "frame_0010.hdf", "frame_0003.hdf.part",
-                             "frame_.hdf", "frame_x.hdf", "frame.hdf.series", "other.hdf"}) {
+    for (const char* name : {"frame_0003.hdf.part", "frame_.hdf", "frame_x.hdf", "frame_1.hdf",
+                             "frame.hdf.series", "other.hdf"}) {
         write_text(folder / name, "");
     }
+    constexpr std::size_t count = 10002;  // so that the last names are longer
+    for (std::size_t frame = 0; frame < count; ++frame) std::ofstream(folder / snapshot_name(frame));
     const auto found = list_snapshots(folder.path());
-    REQUIRE(found.size() == 3);
-    CHECK(found[0].filename() == "frame_0002.hdf");
-    CHECK(found[1].filename() == snapshot_name(10));
-    CHECK(found[2].filename() == snapshot_name(10000));
+    REQUIRE(found.size() == count);
+    for (std::size_t frame = 0; frame < count; ++frame) {
+        REQUIRE(found[frame].filename() == snapshot_name(frame));
+    }
     CHECK(input_error([&] { list_snapshots(folder / "none"); }).find("run tidewater-simulate first") !=
           std::string::npos);
+}
+
+TEST_CASE("names the first snapshot that is missing among others") {
+    const TemporaryFolder folder;
+    const auto line = [&] { return input_error([&] { list_snapshots(folder.path()); }); };
+    for (const std::size_t frame : {1u, 3u}) write_text(folder / snapshot_name(frame), "");
+    CHECK(line().starts_with((folder / "frame_0000.hdf").string() + ": the file is missing"));
+    write_text(folder / snapshot_name(0), "");
+    CHECK(line().starts_with((folder / "frame_0002.hdf").string() + ": the file is missing"));
 }
 
 TEST_CASE("the series names every frame with its time") {
