@@ -10,6 +10,7 @@
 namespace tidewater::io {
 namespace {
 
+constexpr std::string_view format_prefix = "# format: tidewater-table ";
 constexpr const char* remedy = "; run the stage that writes it";
 
 std::vector<std::string_view> split(std::string_view line) {
@@ -41,11 +42,23 @@ void append_row(Table& table, std::string_view line, const std::string& place) {
     }
 }
 
+// A first line without the format is accepted: tables of other programs, and older ones.
+void check_format(std::string_view first_line, const std::filesystem::path& path) {
+    if (!first_line.starts_with(format_prefix)) return;
+    const std::string version(first_line.substr(format_prefix.size()));
+    const auto number = parse_number(version);
+    if (!number || *number > table_format_version) {
+        throw InputError(path.string() + ": its format version " + version +
+                         " is newer than this program's " + std::to_string(table_format_version) + remedy);
+    }
+}
+
 }  // namespace
 
 TableWriter::TableWriter(const std::filesystem::path& path, const Provenance& provenance,
                          std::vector<std::string> columns)
     : path_(path), part_(path), stream_(part_.part_path(), std::ios::binary), column_count_(columns.size()) {
+    stream_ << format_prefix << table_format_version << '\n';
     for (const auto& [name, text] : provenance_fields(provenance))
         stream_ << "# " << name << ": " << text << '\n';
     append_cells(columns);
@@ -85,6 +98,7 @@ Table read_table(const std::filesystem::path& path) {
     std::string line;
     for (std::size_t number = 1; std::getline(text, line); ++number) {
         if (!line.empty() && line.back() == '\r') line.pop_back();
+        if (number == 1) check_format(line, path);
         if (line.empty() || line.front() == '#') continue;
         if (table.columns.empty()) {
             for (const auto name : split(line)) table.columns.emplace_back(name);

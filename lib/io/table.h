@@ -1,5 +1,6 @@
-// Tables of numbers as CSV: lines "# key: value" with the provenance, one line of column names, then one line
-// per row. Numbers are written so that they read back to the same value; "nan" means that there is none.
+// Tables of numbers as CSV: the line "# format: tidewater-table 1", lines "# key: value" with the provenance,
+// one line of column names, then one line per row. Numbers are written so that they read back to the same
+// value; "nan" means that there is none.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +15,8 @@
 #include "core/provenance.h"
 
 namespace tidewater::io {
+
+inline constexpr int table_format_version = 1;
 
 // A file that grows row by row while a stage works, under <path>.part; finish() gives it its name. If
 // finish() is not reached, nothing is left. All members throw OutputError if the file cannot be written.
@@ -51,8 +54,8 @@ struct Table {
     const std::vector<double>* find(std::string_view column) const;
 };
 
-// Reads a table of numbers. Throws InputError if the file is missing or has no line of column names, or with
-// "file:line" if a row has too few or too many values or one that is no number.
+// Reads a table of numbers. Throws InputError if the file is missing, of a newer format version or has no
+// line of column names, or with "file:line" if a row has too few or too many values or one that is no number.
 Table read_table(const std::filesystem::path& path);
 
 // The column of a table that was read from `path`. Throws InputError if there is none.

@@ -31,10 +31,10 @@ TEST_CASE("leads with the provenance as comments, then the names, then the rows"
     TableWriter writer(folder / "a.csv", test_provenance(), {"time", "source"});
     writer.append_cells(std::array<std::string, 2>{format_number(0.5), "run"});
     writer.finish();
-    CHECK(
-        read_text(folder / "a.csv") ==
-        "# program: tidewater-test\n# version: 1.2.3\n# command: tidewater-test a.toml\n# scene_hash: 00ff\n"
-        "# seed: 7\ntime,source\n0.5,run\n");
+    CHECK(read_text(folder / "a.csv") ==
+          "# format: tidewater-table 1\n# program: tidewater-test\n# version: 1.2.3\n# command: "
+          "tidewater-test a.toml\n# scene_hash: 00ff\n"
+          "# seed: 7\ntime,source\n0.5,run\n");
 }
 
 TEST_CASE("grows under its .part name, row by row, and leaves nothing if it is not finished") {
@@ -79,6 +79,17 @@ TEST_CASE("a bad row gives one line with the file, the line and the problem") {
     CHECK(line("# only comments\n") == path.string() + ": there is no line of column names" + remedy);
     std::filesystem::remove(path);
     CHECK(input_error([&] { read_table(path); }) == path.string() + ": the file does not exist" + remedy);
+}
+
+TEST_CASE("a table of a newer format version is refused, and one without a version is read") {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.csv";
+    write_text(path, "# format: tidewater-table 2\ntime\n1\n");
+    CHECK(input_error([&] { read_table(path); }) ==
+          path.string() +
+              ": its format version 2 is newer than this program's 1; run the stage that writes it");
+    write_text(path, "# format: of another program\ntime\n1\n");
+    CHECK(read_table(path).row_count() == 1);
 }
 
 TEST_CASE("a missing column is named") {
