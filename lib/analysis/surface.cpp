@@ -140,17 +140,4 @@ std::vector<double> surface_elevation(const ParticleCloud& cloud, const Tank& ta
     return elevation;
 }
 
-SurfaceProfile surface_profile(const ParticleCloud& cloud, const Tank& tank) {
-    const auto cells =
-        static_cast<std::size_t>(std::max(std::floor(tank.size[0] / tank.cell_size + 1e-6), 1.0));
-    SurfaceProfile profile;
-    std::vector<Place> places;
-    for (std::size_t i = 0; i < cells; ++i) {
-        profile.x.push_back((static_cast<double>(i) + 0.5) * tank.cell_size);
-        places.push_back({profile.x.back(), 0.5 * tank.size[1]});
-    }
-    profile.elevation = surface_elevation(cloud, tank, places);
-    return profile;
-}
-
 }  // namespace tidewater::analysis

@@ -52,12 +52,4 @@ inline constexpr double surface_reach = 1.5;
 std::vector<double> surface_elevation(const ParticleCloud& cloud, const Tank& tank,
                                       std::span<const Place> places);
 
-struct SurfaceProfile {
-    std::vector<double> x;          // m, at the centres of the cells along the tank
-    std::vector<double> elevation;  // η, m
-};
-
-// η along the whole tank, in 3D on the middle of its width.
-SurfaceProfile surface_profile(const ParticleCloud& cloud, const Tank& tank);
-
 }  // namespace tidewater::analysis

@@ -168,13 +168,3 @@ TEST_CASE("reads a slope in three dimensions, in the middle and at the walls") {
         CHECK(std::abs(elevation[i] - 0.1 * places[i].y) < 0.05 * cell);
     }
 }
-
-TEST_CASE("gives the profile of the whole tank at the cells' centres") {
-    const Height slope = [](double x) { return 1.0 + 0.02 * x; };
-    const auto profile = surface_profile(fill(slope, 2, 0.0).cloud(), tank2d);
-    REQUIRE(profile.x.size() == 60);
-    CHECK(profile.x.front() == doctest::Approx(0.05));
-    for (std::size_t i = 0; i < profile.x.size(); ++i) {
-        CHECK(std::abs(profile.elevation[i] + 1.0 - slope(profile.x[i])) < 0.05 * cell);
-    }
-}
