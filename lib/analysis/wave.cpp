@@ -85,16 +85,12 @@ double fitted_celerity(std::span<const GaugeWave> gauges, double GaugeWave::*tim
     return speed(xx, xt);
 }
 
-}  // namespace
-
-GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const double> elevation,
-                        const WaveSettings& settings) {
-    assert(time.size() == elevation.size() && settings.depth > 0.0 && settings.gravity > 0.0);
+// `all` is smoothed and starts from 0.
+GaugeWave analyse_change(double x, std::span<const double> time, std::span<const double> all,
+                         const WaveSettings& settings) {
     GaugeWave wave;
     wave.x = x;
     if (time.empty()) return wave;
-    const std::vector<double> all =
-        smooth(time, elevation, smoothing * std::sqrt(settings.depth / settings.gravity));
     const double celerity = long_wave_celerity(settings.depth, settings.gravity);
 
     // The reflection's time follows from the arrival and shortens the record, whose greatest |η| decides the
@@ -111,7 +107,7 @@ GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const 
         count = count_until(time, wave.record_end);
     }
 
-    const auto value = std::span(all).first(count);
+    const auto value = all.first(count);
     const auto until = time.first(count);
     const double greatest = greatest_excursion(value, count);
     find_extremes(until, value, greatest, wave);
@@ -122,6 +118,21 @@ GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const 
     if (crossings.size() > 1) {
         wave.mean_period = (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
     }
+    return wave;
+}
+
+}  // namespace
+
+GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const double> elevation,
+                        const WaveSettings& settings) {
+    assert(time.size() == elevation.size() && settings.depth > 0.0 && settings.gravity > 0.0);
+    std::vector<double> change =
+        smooth(time, elevation, smoothing * std::sqrt(settings.depth / settings.gravity));
+    const auto first = std::ranges::find_if(change, [](double value) { return !std::isnan(value); });
+    const double rest = first == change.end() ? 0.0 : *first;
+    for (double& value : change) value -= rest;
+    GaugeWave wave = analyse_change(x, time, change, settings);
+    for (double* level : {&wave.crest, &wave.trough, &wave.greatest, &wave.lowest}) *level += rest;
     return wave;
 }
 

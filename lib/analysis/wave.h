@@ -7,6 +7,10 @@
 // a solitary wave of 0.3 D 0.3 %, and longer ones less. What is left is told from waves by
 // `smallest_amplitude`.
 //
+// The still surface as read may be off by a part of a cell, where the depth is not on the particles' lattice.
+// So arrival, thresholds and zero crossings are taken from η - η0, where η0 is the first sample that is not
+// NaN, after the smoothing, and "greatest |η|" below is that of η - η0. Crests and troughs are given as η itself.
+//
 // Reflections: a gauge's record ends, for everything below, when a wave of speed √(gD) that passed it at the
 // arrival would be back from the far wall. A gauge closer to that wall than the leading crest is to its own
 // front has no crest.
@@ -24,13 +28,13 @@ struct WaveSettings {
     double gravity = 9.81;            // g > 0, m/s²
     double far_wall = 0.0;            // x of the wall that the waves run towards, m
     double arrival_threshold = 0.05;  // share of the record's greatest |η|, in (0, 1)
-    double smallest_amplitude = 0.0;  // m; a record that nowhere exceeds it holds no wave
+    double smallest_amplitude = 0.0;  // m, of η - η0; a record that nowhere exceeds it holds no wave
 };
 
 // NaN stands for what the record does not hold: no wave, no crest yet, no second wave.
 struct GaugeWave {
     double x = none;           // of the gauge, m
-    double arrival = none;     // s; |η| first passes the threshold
+    double arrival = none;     // s; |η - η0| first passes the threshold
     double crest_time = none;  // s, of the leading crest
     double crest = none;       // η of the leading crest, m
     double trough =

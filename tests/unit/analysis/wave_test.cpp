@@ -45,9 +45,9 @@ double noise(double size, std::uint64_t stream, double t) {
 
 std::vector<GaugeWave> pulse_at_gauges(double c, double noise_size) {
     std::vector<GaugeWave> gauges;
-    for (const double x : {2.0, 4.0, 6.0, 8.0, 10.0}) {
+    for (const double x : {8.0, 10.0, 12.0, 14.0, 16.0}) {  // which the wave's front reaches after t = 0
         const auto stream = static_cast<std::uint64_t>(x);
-        gauges.push_back(record(8.0, 0.01, [&](double t) {
+        gauges.push_back(record(10.0, 0.01, [&](double t) {
                              return solitary(x, t, c) + noise(noise_size, stream, t);
                          }).analyse(x));
     }
@@ -126,6 +126,22 @@ TEST_CASE("noise around still water is no wave") {
     CHECK(std::isnan(wave.crest));
     CHECK(wave.greatest < 0.002);
     CHECK(wave.record_end == doctest::Approx(8.0));
+}
+
+TEST_CASE("a still surface that is off by a constant changes no time and no height") {
+    const auto at_level = [](double level) {
+        return record(8.0, 0.01, [&](double t) { return level + solitary(3.0, t, 3.0); }).analyse(3.0);
+    };
+    const GaugeWave still = at_level(0.0);
+    for (const double level : {-0.03, 0.03}) {
+        const GaugeWave wave = at_level(level);
+        CHECK(wave.arrival == doctest::Approx(still.arrival));
+        CHECK(wave.crest_time == doctest::Approx(still.crest_time));
+        CHECK(wave.height == doctest::Approx(still.height));
+        CHECK(wave.crest == doctest::Approx(still.crest + level));
+        CHECK(wave.lowest == doctest::Approx(still.lowest + level));
+    }
+    CHECK(std::isnan(record(8.0, 0.01, [](double) { return 0.03; }).analyse(3.0).arrival));
 }
 
 TEST_CASE("a wave that still rises at the end has arrived but has no crest") {
