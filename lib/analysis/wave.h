@@ -9,7 +9,8 @@
 //
 // The still surface as read may be off by a part of a cell, where the depth is not on the particles' lattice.
 // So arrival, thresholds and zero crossings are taken from η - η0, where η0 is the first sample that is not
-// NaN, after the smoothing, and "greatest |η|" below is that of η - η0. Crests and troughs are given as η itself.
+// NaN, after the smoothing, and "greatest |η|" below is that of η - η0. Crests and troughs are given as η
+// itself.
 //
 // Reflections: a gauge's record ends, for everything below, when a wave of speed √(gD) that passed it at the
 // arrival would be back from the far wall. A gauge closer to that wall than the leading crest is to its own
