@@ -1,30 +1,51 @@
 #include "core/provenance.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <string_view>
 
 namespace tidewater {
+namespace {
+
+// Control characters as \x0a.
+std::string one_line(const std::string& text) {
+    std::string line;
+    for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        char escape[8];
+        std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned>(code));
+        line += code < 0x20 || code == 0x7f ? std::string(escape) : std::string(1, letter);
+    }
+    return line;
+}
+
+}  // namespace
 
 std::string program_version() { return TIDEWATER_VERSION; }
 
 std::string reproducible_command(int argc, const char* const* argv) {
-    std::string command = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : std::string();
+    const auto name_of = [](std::string_view path) {
+        return std::filesystem::path(path).filename().string();
+    };
+    std::string command = argc > 0 ? name_of(argv[0]) : std::string();
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--threads" || word == "--run") {
             ++i;
+        } else if (word == "--set" && i + 1 < argc) {
+            command.append(" --set ").append(argv[++i]);
         } else if (!word.starts_with("--threads=") && !word.starts_with("--run=")) {
-            command.append(" ").append(word);
+            command.append(" ").append(word.starts_with("-") ? std::string(word) : name_of(word));
         }
     }
     return command;
 }
 
 std::vector<std::pair<std::string, std::string>> provenance_fields(const Provenance& provenance) {
-    return {{"program", provenance.program},
-            {"version", provenance.version},
-            {"command", provenance.command},
-            {"scene_hash", provenance.scene_hash},
+    return {{"program", one_line(provenance.program)},
+            {"version", one_line(provenance.version)},
+            {"command", one_line(provenance.command)},
+            {"scene_hash", one_line(provenance.scene_hash)},
             {"seed", std::to_string(provenance.seed)}};
 }
 

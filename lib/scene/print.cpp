@@ -65,7 +65,10 @@ std::string resolved_text(const Scene& scene) {
 
 std::string stage_part(const Scene& scene, Stage stage) { return plain_text(scene, by(stage)); }
 
-std::string scene_hash(const Scene& scene) { return hash_hex(hash_text(plain_text(scene, by_all))); }
+std::string scene_hash(const Scene& scene, Stage stage) {
+    const unsigned up_to_stage = 2 * by(stage) - 1;
+    return hash_hex(hash_text(plain_text(scene, up_to_stage)));
+}
 
 std::string key_reference() {
     std::string text = "The keys of a scene file, each usable as --set key=value too.\n";

@@ -107,8 +107,9 @@ std::string resolved_text(const Scene& scene);
 // again. Every stage reads what the stages before it do not already decide for it.
 std::string stage_part(const Scene& scene, Stage stage);
 
-// Fingerprint of resolved_text without its comments, for provenance.
-std::string scene_hash(const Scene& scene);
+// Fingerprint of all keys that `stage` or a stage before it reads, for provenance: results keep their bytes
+// when a key changes that only later stages read.
+std::string scene_hash(const Scene& scene, Stage stage);
 
 // The reference of all keys: name, type, unit, default, valid range, effect, stages, help.
 std::string key_reference();

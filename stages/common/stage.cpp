@@ -49,6 +49,14 @@ bool only_look(const StageOptions& options, const scene::Scene& scene) {
     return options.print_scene || options.print_part || options.check;
 }
 
+// What was printed is a result too, for whoever redirects it into a file.
+void finish_printing() {
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        throw OutputError("standard output: writing failed; is the disk full?");
+    }
+}
+
 void run(const StageProgram& program, const StageOptions& options, const scene::Scene& scene,
          const std::string& command) {
     const auto start = Clock::now();
@@ -58,11 +66,10 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                          .provenance = {.program = program.name,
                                         .version = program_version(),
                                         .command = command,
-                                        .scene_hash = scene::scene_hash(scene),
+                                        .scene_hash = scene::scene_hash(scene, program.stage),
                                         .seed = scene.seed}};
     say(program, "writing " + context.folder.string());
     make_output_folder(context.folder);
-    write_text(context.folder / "scene.toml", scene::resolved_text(scene));
     const ThreadLimit limit(options.threads);
     program.work(context);
     const std::chrono::duration<double> elapsed = Clock::now() - start;
@@ -72,17 +79,27 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
 void read_and_run(const StageProgram& program, int argc, const char* const* argv,
                   std::string_view description) {
     const auto options = parse_options(argc, argv, description);
-    if (!options) return;
+    if (!options) return finish_printing();
     const scene::Scene scene = read(*options);
     if (!options->print_part) {
         for (const std::string& warning : scene::scene_warnings(scene)) say(program, "warning: " + warning);
     }
-    if (!only_look(*options, scene)) run(program, *options, scene, reproducible_command(argc, argv));
+    if (only_look(*options, scene)) return finish_printing();
+    run(program, *options, scene, reproducible_command(argc, argv));
 }
 
 int exit_code(ExitCode code) { return static_cast<int>(code); }
 
 }  // namespace
+
+void write_resolved_scene(const StageContext& context) {
+    std::string text;
+    for (const auto& [name, value] : provenance_fields(context.provenance)) {
+        if (name == "program" || name == "version" || name == "command")
+            text += "# " + name + ": " + value + "\n";
+    }
+    write_text(context.folder / "scene.toml", text + "\n" + scene::resolved_text(context.scene));
+}
 
 int run_stage(int argc, const char* const* argv, scene::Stage stage, std::string_view description,
               void (*work)(StageContext& context)) {

@@ -29,8 +29,12 @@ struct StageContext {
     Provenance provenance;
 };
 
-// Runs `work` between creating context.folder with its scene.toml (the resolved scene) and saying how long it
-// took. Returns the exit code for main.
+// Writes context.folder/scene.toml: the resolved scene after comments with program, version and command.
+// Every stage's work calls it once it has read its inputs and removed the results of an earlier run, before
+// it writes its own, so that no results lie beside another run's scene.
+void write_resolved_scene(const StageContext& context);
+
+// Runs `work` between creating context.folder and saying how long it took. Returns the exit code for main.
 int run_stage(int argc, const char* const* argv, scene::Stage stage, std::string_view description,
               void (*work)(StageContext& context));
 

@@ -100,6 +100,8 @@ void write_geometry(StageContext& context) {
     for (const auto& grid : grids)
         geometry::mark_scene(*grid, hash_hex(hash_text(stage_part(scene, scene::Stage::geometry))));
     const auto path = context.folder / "geometry.vdb";
+    std::filesystem::remove(path);
+    write_resolved_scene(context);
     io::write_level_sets(path, grids, context.provenance);
     std::printf("wrote %s: %zu level sets, voxel size %g m\n", path.c_str(), grids.size(),
                 scene.domain.cell_size);

@@ -110,6 +110,7 @@ void simulate(StageContext& context) {
     const auto started = std::chrono::steady_clock::now();
     const auto start = make_start<D>(scene, context.run / "geometry" / "geometry.vdb");
     remove_old_records(context.folder);
+    write_resolved_scene(context);
     Log log(context.folder);
     try {
         auto s = mpm::make_simulation<D, Real>(start);

@@ -39,6 +39,13 @@ for stage in geometry simulate postprocess; do
     expect_code 3
     expect_same "$output" "tidewater-$stage: missing.toml: cannot be read; check the path"
 
+    case_named "$stage ends with 5 where what it prints cannot be written"
+    for option in --help-scene --print-scene "--print-part $stage" --check; do
+        run bash -c "'$program' '$tiny' $option >/dev/full"
+        expect_code 5
+        expect_line "tidewater-$stage: standard output: writing failed; is the disk full?"
+    done
+
     case_named "$stage tells of a folder that it cannot write with exit code 5"
     run "$program" "$tiny" --run /proc/tidewater
     expect_code 5

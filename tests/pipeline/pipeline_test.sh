@@ -26,8 +26,16 @@ expect_file runs/tiny/postprocess/waves.csv
 case_named "each stage writes the resolved scene beside its results, which checks and reads back to the same"
 for stage in geometry simulate postprocess; do
     run "$bin/tidewater-$stage" "runs/tiny/$stage/scene.toml" --print-scene
-    expect_same "$output" "$(cat "runs/tiny/$stage/scene.toml")"
+    expect_code 0
+    expect_same "$output" "$(tail -n +5 "runs/tiny/$stage/scene.toml")"
 done
+
+case_named "the first lines of the resolved scene tell program, version and command"
+run head -n 4 runs/tiny/simulate/scene.toml
+expect_line "# program: tidewater-simulate"
+expect_line "# version: 0."
+expect_line "# command: tidewater-simulate tiny.toml"
+expect_no_line "--run"
 
 case_named "no partial file is left"
 expect_same "$(find runs -name '*.part')" ""
@@ -89,8 +97,13 @@ pipeline --set block.angle=5
 expect_stages simulate postprocess
 
 case_named "a stage that fails tells why, and its exit code is kept for tools/run"
+scene_before=$(cat runs/tiny/simulate/scene.toml)
 printf 'not a vdb' >runs/tiny/geometry/geometry.vdb
 pipeline --set block.angle=5
 expect_code 2
 expect_line "tidewater-simulate: runs/tiny/geometry/geometry.vdb"
 expect_same "$(cat runs/tiny/parts/exit_code)" 3
+
+case_named "a stage that cannot read its input leaves the earlier results and their scene as they are"
+expect_file runs/tiny/simulate/ledger.csv
+expect_same "$(cat runs/tiny/simulate/scene.toml)" "$scene_before"

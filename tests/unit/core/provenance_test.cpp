@@ -14,8 +14,10 @@ std::string command(const std::vector<const char*>& words) {
 
 }  // namespace
 
-TEST_CASE("the command leaves out the folder of the program") {
-    CHECK(command({"/opt/bin/tidewater-simulate", "configs/a.toml"}) == "tidewater-simulate configs/a.toml");
+TEST_CASE("the command leaves out the folders of the program and of the scene, and no part of a value") {
+    CHECK(command({"/opt/bin/tidewater-simulate", "configs/a.toml"}) == "tidewater-simulate a.toml");
+    CHECK(command({"x", "--set", "title=a/b", "../c/a.toml"}) == "x --set title=a/b a.toml");
+    CHECK(command({"x", "--set=title=a/b", "/a.toml"}) == "x --set=title=a/b a.toml");
 }
 
 TEST_CASE("the command leaves out the threads and the folder of the run, in both spellings") {
@@ -26,6 +28,7 @@ TEST_CASE("the command leaves out the threads and the folder of the run, in both
 
 TEST_CASE("a command that ends with an option without its value, or is empty, is no trouble") {
     CHECK(command({"x", "--threads"}) == "x");
+    CHECK(command({"x", "--set"}) == "x --set");
     CHECK(command({}) == "");
 }
 
@@ -37,4 +40,9 @@ TEST_CASE("the fields come in a fixed order") {
                                                                     {"scene_hash", "00ff"},
                                                                     {"seed", "7"}};
     CHECK(fields == expected);
+}
+
+TEST_CASE("a line break in a field cannot begin a line of its own") {
+    const auto fields = provenance_fields({"p", "1.0", "p a.toml --set title=\"ü\na\r\tb\x7f\"", "00ff", 7});
+    CHECK(fields[2].second == "p a.toml --set title=\"ü\\x0aa\\x0d\\x09b\\x7f\"");
 }

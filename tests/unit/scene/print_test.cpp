@@ -24,8 +24,10 @@ std::string changed_parts(const std::string& set) {
     return stages;
 }
 
-// Equal in every key; the hash covers them all.
-bool same(const Scene& a, const Scene& b) { return scene_hash(a) == scene_hash(b); }
+// Equal in every key that the stage or one before it reads.
+bool same(const Scene& a, const Scene& b, Stage stage = Stage::postprocess) {
+    return scene_hash(a, stage) == scene_hash(b, stage);
+}
 
 }  // namespace
 
@@ -87,10 +89,22 @@ TEST_CASE("the same value in other words changes no part") {
 
 TEST_CASE("the hash changes with every key, and not with the text of the file") {
     const Scene scene = read_text_as_scene(block_scene);
-    CHECK(scene_hash(scene).size() == 16);
+    CHECK(scene_hash(scene, Stage::geometry).size() == 16);
     CHECK(same(scene, read_text_as_scene("# a comment\n" + block_scene)));
     CHECK_FALSE(same(scene, read_text_as_scene(block_scene, {"title=other"})));
     CHECK_FALSE(same(scene, read_text_as_scene(block_scene, {"simulate.cfl=0.4"})));
+}
+
+TEST_CASE("the hash of a stage changes with the keys of the stages up to it only") {
+    const Scene scene = read_text_as_scene(block_scene);
+    const Scene later = read_text_as_scene(block_scene, {"postprocess.picture_width=800"});
+    CHECK(same(scene, later, Stage::geometry));
+    CHECK(same(scene, later, Stage::simulate));
+    CHECK_FALSE(same(scene, later, Stage::postprocess));
+    const Scene block = read_text_as_scene(block_scene, {"block.angle=1"});
+    CHECK_FALSE(same(scene, block, Stage::geometry));
+    CHECK_FALSE(same(scene, block, Stage::simulate));
+    CHECK_FALSE(same(scene, block, Stage::postprocess));
 }
 
 TEST_CASE("the reference tells type, unit, range, default, effect and stages of every key") {
