@@ -90,16 +90,16 @@ Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
     Waves waves;
     waves.records = std::move(records);
     std::ranges::stable_sort(waves.records, {}, &GaugeRecord::x);
-    const bool water = scene.has("water");
+    const bool waves_run = scene.has("water") && scene.domain.gravity > 0.0;
     for (const GaugeRecord& record : waves.records) {
         waves.gauges.emplace_back().x = record.x;
-        if (!water) continue;
+        if (!waves_run) continue;
         waves.gauges.back() =
             analysis::analyse_gauge(record.x, record.time, record.elevation, wave_settings(scene, record.x));
     }
     waves.to_next = analysis::celerity_between(waves.gauges);
     waves.overall = analysis::celerity_overall(waves.gauges);
-    if (water)
+    if (waves_run)
         waves.long_wave_celerity = analysis::long_wave_celerity(scene.water.depth, scene.domain.gravity);
     return waves;
 }

@@ -33,7 +33,7 @@ struct Waves {
     double long_wave_celerity = analysis::none;  // √(gD), m/s
 };
 
-// Without the effect "water" the records are kept and everything else is empty or NaN.
+// Without the effect "water" or without gravity the records are kept and everything else is empty or NaN.
 Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene);
 
 // waves.csv: a row per gauge, in the order of x, with the members of GaugeWave, then the celerity from its

@@ -1,0 +1,66 @@
+#include "earlier.h"
+
+#include <regex>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "core/error.h"
+
+namespace tidewater::postprocess {
+namespace {
+
+// "block.angle = 5 there, block.angle = 0 here"; empty if there is no difference.
+std::string first_difference(const std::string& there, const std::string& here) {
+    if (there == here) return {};
+    std::istringstream their_lines(there), our_lines(here);
+    std::string their, our;
+    while (their == our) {
+        their = our = "nothing";
+        std::getline(their_lines, their);
+        std::getline(our_lines, our);
+    }
+    return their + " there, " + our + " here";
+}
+
+void require_removal(const std::filesystem::path& path, const std::error_code& error) {
+    if (error) {
+        throw OutputError(path.string() + ": cannot be removed: " + error.message() +
+                          "; remove it or choose another folder with --run");
+    }
+}
+
+}  // namespace
+
+void require_same_scene(const std::filesystem::path& simulated, const scene::Scene& scene) {
+    const auto path = simulated / "scene.toml";
+    if (!std::filesystem::exists(path))
+        throw InputError(path.string() + ": the file does not exist; run tidewater-simulate again");
+    constexpr auto stage = scene::Stage::simulate;
+    const std::string difference =
+        first_difference(stage_part(scene::read_scene(path), stage), stage_part(scene, stage));
+    if (difference.empty()) return;
+    throw InputError(path.string() + ": simulated with other settings (" + difference + "); pass " +
+                     path.string() + " as the scene or run tidewater-simulate again");
+}
+
+void remove_earlier_results(const std::filesystem::path& folder) {
+    static const std::regex ours(
+        R"((particles_\d+\.vtp|particles\.pvd|frame_t=\d+\.\d+\.png|(gauges|celerity|energy)\.svg|)"
+        R"((gauges|waves)\.csv)(\.part)?)");
+    std::error_code error;
+    std::vector<std::filesystem::path> found{folder / "waves.csv"};
+    std::filesystem::directory_iterator entry(folder, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        const auto& path = entry->path();
+        if (std::regex_match(path.filename().string(), ours)) found.push_back(path);
+    }
+    require_removal(folder, error);
+    for (const auto& path : found) {
+        std::filesystem::remove(path, error);
+        require_removal(path, error);
+    }
+}
+
+}  // namespace tidewater::postprocess
