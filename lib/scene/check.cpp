@@ -12,12 +12,15 @@ namespace {
 
 constexpr double cells_per_length = 4.0;  // fewer do not resolve a body or a layer of water at all
 constexpr double tolerance = 1e-6;        // of a cell
+constexpr double most_per_axis =
+    1 << 20;  // particles along an axis of the tank; more would overflow the grid's numbers
+constexpr double most_particles = 4e9;
 
 std::string metres(double length) { return number_text(length) + " m"; }
 
 // Rounded to six digits, for numbers that the checks computed.
 double short_number(double number) {
-    if (number == 0.0) return 0.0;
+    if (number == 0.0 || !std::isfinite(number)) return number;
     const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(number))));
     return std::round(number * scale) / scale;
 }
@@ -39,6 +42,43 @@ void check_whole_cells(Reading& reading) {
                            " is not a whole number of cells of " + metres(cell) +
                            "; walls lie on cell edges, the nearest is " + metres(short_number(near)));
     }
+}
+
+double particle_spacing(const Scene& scene) {
+    return scene.domain.cell_size / static_cast<double>(scene.particles.per_axis);
+}
+
+// As many as a body with these edges is filled with.
+double particles_in(const std::vector<double>& edges, double spacing) {
+    double count = 1.0;
+    for (const double length : edges) count *= std::max(length / spacing, 1.0);
+    return count;
+}
+
+double particle_estimate(const Scene& scene) {
+    double count = 0.0;
+    if (scene.has("water")) {
+        std::vector<double> water = scene.domain.size;
+        if (scene.water.length > 0.0) water.front() = scene.water.length;
+        water.back() = scene.water.depth;
+        count += particles_in(water, particle_spacing(scene));
+    }
+    if (scene.has("rigid")) count += particles_in(scene.block.size, particle_spacing(scene));
+    return count;
+}
+
+void check_count(Reading& reading) {
+    if (!reading.usable({"dimension", "effects", "domain.size", "domain.cell_size", "particles.per_axis",
+                         "water.depth", "water.length", "block.size"})) {
+        return;
+    }
+    const double longest =
+        *std::ranges::max_element(reading.scene.domain.size) / particle_spacing(reading.scene);
+    const double count = particle_estimate(reading.scene);
+    if (longest < most_per_axis && count < most_particles) return;
+    reading.report("domain.cell_size", "would need " + number_text(short_number(count)) + " particles, " +
+                                           number_text(short_number(longest)) +
+                                           " along the tank; use a larger domain.cell_size");
 }
 
 // Something that the grid must resolve.
@@ -155,23 +195,72 @@ void check_times(Reading& reading) {
     if (!reading.usable({"simulate.end_time"})) return;
     const Scene& scene = reading.scene;
     const double end = scene.simulate.end_time;
-    const auto check_interval = [&](const char* key, double interval) {
-        if (!reading.usable({key}) || interval <= end) return;
-        reading.report(key, number_text(interval) + " s is longer than the run of " + number_text(end) +
-                                " s (simulate.end_time); shorten it");
-    };
-    check_interval("simulate.snapshot_interval", scene.simulate.snapshot_interval);
-    check_interval("simulate.gauge_interval", scene.simulate.gauge_interval);
-    if (reading.usable({"postprocess.picture_times"})) {
-        check_list(reading, "postprocess.picture_times", scene.postprocess.picture_times, end, "s",
-                   "later than simulate.end_time =");
+    const double interval = scene.simulate.snapshot_interval;
+    if (!reading.usable({"simulate.snapshot_interval"}) || interval <= end) return;
+    reading.report("simulate.snapshot_interval", number_text(interval) + " s is longer than the run of " +
+                                                     number_text(end) + " s (simulate.end_time); shorten it");
+}
+
+// The fastest water that the scene makes likely, by estimates: long waves, √(g d); water let loose as by a
+// broken dam, 2 √(g d) (Ritter 1892); the fall of the block's lowest corner to the still level, √(2 g f); and
+// the fall by the block's own height, as it sinks or topples, √(2 g h).
+double fastest_flow(const Scene& scene) {
+    const double depth = scene.water.depth;
+    const bool dam = scene.water.length > 0.0 && scene.water.length < scene.domain.size.front();
+    double head = dam ? 4.0 * depth : depth;  // speed² / g
+    if (scene.has("rigid")) {
+        const double half_height = block_reach(scene).back();
+        const double fall = scene.block.center.back() - half_height - depth;
+        head = std::max({head, 2.0 * fall, 4.0 * half_height});
     }
+    return std::sqrt(scene.domain.gravity * head);
+}
+
+std::string sound_speed_warning(const Scene& scene) {
+    const double fastest = fastest_flow(scene);
+    const double speed = scene.water.model.sound_speed;
+    if (speed >= 10.0 * fastest) return {};
+    return "water.sound_speed: " + number_text(speed) +
+           " m/s is less than 10 times the fastest expected flow, " + number_text(short_number(fastest)) +
+           " m/s, so the water will compress by more than 1 %; " + number_text(std::ceil(10.0 * fastest)) +
+           " m/s would do";
+}
+
+// Particles sit in the middle of their shares of the cells, so a share is filled or not.
+std::string depth_warning(const Scene& scene) {
+    const double spacing = particle_spacing(scene);
+    const double layers = scene.water.depth / spacing;
+    if (std::abs(layers - std::round(layers)) <= tolerance) return {};
+    return "water.depth: " + metres(scene.water.depth) + " is not a whole number of particle spacings of " +
+           metres(short_number(spacing)) + ", so the still level is off by up to half of one; " +
+           metres(short_number(std::floor(layers) * spacing)) + " and " +
+           metres(short_number(std::ceil(layers) * spacing)) + " would fit";
+}
+
+// Sound along a diagonal crosses a cell's width along each axis at once: √D cfl < 1.
+std::string cfl_warning(const Scene& scene) {
+    const double most = scene.dimension == 2 ? 0.71 : 0.58;
+    if (scene.simulate.cfl <= most) return {};
+    return "simulate.cfl: " + number_text(scene.simulate.cfl) + " is more than " + number_text(most) +
+           ", up to which steps are stable in " + std::to_string(scene.dimension) + "D; 0.5 is safe";
+}
+
+std::string picture_warning(const Scene& scene) {
+    const double end = scene.simulate.end_time;
+    std::string late;
+    for (const double time : scene.postprocess.picture_times) {
+        if (time > end) late += (late.empty() ? "" : ", ") + number_text(time);
+    }
+    if (late.empty()) return {};
+    return "postprocess.picture_times: later than simulate.end_time = " + number_text(end) + " s: " + late +
+           "; the last snapshot is drawn instead";
 }
 
 }  // namespace
 
 void check_scene(Reading& reading) {
     check_whole_cells(reading);
+    check_count(reading);
     check_resolution(reading);
     check_water(reading);
     check_block_inside(reading);
@@ -181,15 +270,10 @@ void check_scene(Reading& reading) {
 
 std::vector<std::string> scene_warnings(const Scene& scene) {
     std::vector<std::string> warnings;
-    const double fastest = std::sqrt(2.0 * scene.domain.gravity * scene.domain.size.back());
-    const double speed = scene.water.model.sound_speed;
-    if (scene.has("water") && speed < 10.0 * fastest) {
-        warnings.push_back("water.sound_speed: " + number_text(speed) +
-                           " m/s is less than 10 times the fastest expected flow, √(2 g H) = " +
-                           number_text(short_number(fastest)) +
-                           " m/s, so the water will compress by more than 1 %; " +
-                           number_text(std::ceil(10.0 * fastest)) + " m/s would do");
-    }
+    if (scene.has("water")) warnings = {sound_speed_warning(scene), depth_warning(scene)};
+    warnings.push_back(cfl_warning(scene));
+    warnings.push_back(picture_warning(scene));
+    std::erase(warnings, "");
     return warnings;
 }
 

@@ -217,7 +217,7 @@ constexpr std::array keys{
     Key{.name = "postprocess.picture_width",
         .unit = "pixels",
         .member = member<&S::postprocess, &S::Postprocess::picture_width>(),
-        .range = {.least = 100, .most = 20000},
+        .range = {.least = 400, .most = 8000},
         .stages = by_postprocess,
         .help = "of each picture"},
     Key{.name = "postprocess.picture_speed",

@@ -6,6 +6,20 @@ using namespace tidewater;
 using namespace tidewater::scene;
 using Lines = std::vector<std::string>;
 
+namespace {
+
+Lines warnings(const Sets& sets) { return scene_warnings(read_text_as_scene(block_scene, sets)); }
+
+// The speed in the warning of too soft water.
+std::string expected_flow(const Sets& sets) {
+    const std::string lead = "fastest expected flow, ";
+    const std::string line = warnings(sets).at(0);
+    const auto start = line.find(lead) + lead.size();
+    return line.substr(start, line.find(' ', start) - start);
+}
+
+}  // namespace
+
 TEST_CASE("walls lie on cell edges, and the nearest size that does is told") {
     CHECK(set_problem("domain.size=[16.004, 1]") ==
           "16.004 m along x is not a whole number of cells of 0.01 m; walls lie on cell edges, the nearest "
@@ -103,18 +117,23 @@ TEST_CASE("gauges of both stages lie inside the tank") {
           "outside the tank, which ends at x = 16 m: 20, 30; move or remove what is");
 }
 
-TEST_CASE("pictures are of times within the run") {
-    CHECK(set_problem("postprocess.picture_times=[0, 10]") == "");
-    CHECK(set_problem("postprocess.picture_times=[11]") ==
-          "later than simulate.end_time = 10 s: 11; move or remove what is");
-}
-
-TEST_CASE("intervals are no longer than the run") {
+TEST_CASE("snapshots are no further apart than the run is long, and rows may be") {
     CHECK(set_problem("simulate.snapshot_interval=10") == "");
     CHECK(set_problem("simulate.snapshot_interval=11") ==
           "11 s is longer than the run of 10 s (simulate.end_time); shorten it");
-    CHECK(set_problem("simulate.gauge_interval=11") ==
-          "11 s is longer than the run of 10 s (simulate.end_time); shorten it");
+    CHECK(set_problem("simulate.gauge_interval=11") == "");
+}
+
+TEST_CASE("a cell size that would need more particles than can be numbered is told") {
+    CHECK(set_problem("domain.cell_size=1e-5") ==
+          "would need 325000000000 particles, 3200000 along the tank; use a larger domain.cell_size");
+    CHECK(set_problem("domain.cell_size=1e-300").find("use a larger domain.cell_size") != std::string::npos);
+    CHECK(problem(water_scene_3d, {"domain.cell_size=0.0005", "water.depth=0.001"}).find("would need") ==
+          std::string::npos);
+    CHECK(problem(water_scene_3d, {"domain.cell_size=0.002"}) ==
+          "--set domain.cell_size=0.002: would need 4000000000 particles, 4000 along the tank; use a larger "
+          "domain.cell_size");
+    CHECK(problem(water_scene_3d, {"domain.cell_size=0.0025"}) == "");
 }
 
 TEST_CASE("a check is left out where a key that it needs is wrong") {
@@ -125,10 +144,40 @@ TEST_CASE("a check is left out where a key that it needs is wrong") {
 }
 
 TEST_CASE("water that is too soft for the fastest flow is warned of") {
-    CHECK(scene_warnings(read_text_as_scene(block_scene)).empty());
-    CHECK(scene_warnings(read_text_as_scene(block_scene, {"water.sound_speed=45"})).empty());
-    CHECK(scene_warnings(read_text_as_scene(block_scene, {"water.sound_speed=40"})) ==
-          Lines{"water.sound_speed: 40 m/s is less than 10 times the fastest expected flow, √(2 g H) = "
-                "4.42945 m/s, so "
-                "the water will compress by more than 1 %; 45 m/s would do"});
+    CHECK(warnings({}).empty());
+    CHECK(warnings({"water.sound_speed=23"}).empty());
+    CHECK(warnings({"water.sound_speed=20"}) ==
+          Lines{"water.sound_speed: 20 m/s is less than 10 times the fastest expected flow, 2.21472 m/s, so "
+                "the water will compress by more than 1 %; 23 m/s would do"});
+}
+
+TEST_CASE("the fastest flow is that of long waves, of a broken dam, of the block's fall or of its height") {
+    CHECK(expected_flow({"water.depth=0.8", "water.sound_speed=1"}) == "2.80143");
+    CHECK(expected_flow({"water.length=4", "water.sound_speed=1"}) == "4.42945");
+    CHECK(expected_flow({"water.depth=0.1", "water.sound_speed=1", "block.center=[0.3, 0.875]"}) ==
+          "3.57113");
+    CHECK(expected_flow({"water.depth=0.2", "water.sound_speed=1", "block.center=[0.3, 0.3]",
+                         "block.angle=90"}) == "3.13209");
+}
+
+TEST_CASE("a depth that no whole number of particle layers fills is warned of with its neighbours") {
+    CHECK(warnings({"water.depth=0.505"}).empty());
+    CHECK(warnings({"water.depth=0.503"}) ==
+          Lines{"water.depth: 0.503 m is not a whole number of particle spacings of 0.005 m, so the still "
+                "level is off by up to half of one; 0.5 m and 0.505 m would fit"});
+}
+
+TEST_CASE("time steps that may be unstable are warned of, in 3D earlier") {
+    CHECK(warnings({"simulate.cfl=0.7"}).empty());
+    CHECK(warnings({"simulate.cfl=0.8"}) ==
+          Lines{"simulate.cfl: 0.8 is more than 0.71, up to which steps are stable in 2D; 0.5 is safe"});
+    CHECK(scene_warnings(read_text_as_scene(water_scene_3d, {"simulate.cfl=0.6"})) ==
+          Lines{"simulate.cfl: 0.6 is more than 0.58, up to which steps are stable in 3D; 0.5 is safe"});
+}
+
+TEST_CASE("pictures after the run's end are warned of and are no error") {
+    CHECK(warnings({"postprocess.picture_times=[0, 10]"}).empty());
+    CHECK(warnings({"postprocess.picture_times=[1, 11, 12]"}) ==
+          Lines{"postprocess.picture_times: later than simulate.end_time = 10 s: 11, 12; the last snapshot "
+                "is drawn instead"});
 }
