@@ -1,7 +1,9 @@
 #include "io/vdb.h"
 
+#include <openvdb/io/Stream.h>
+
 #include <cstring>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "core/error.h"
@@ -29,16 +31,6 @@ bool has_header(const std::string& bytes) {
     return bytes.size() >= uuid_begin + uuid_size && std::memcmp(bytes.data(), magic, sizeof magic) == 0;
 }
 
-// Replaces the random UUID of a file just written.
-void stamp(const std::filesystem::path& path) {
-    const std::string bytes = read_text(path);
-    if (!has_header(bytes)) throw OutputError(path.string() + ": OpenVDB wrote an unknown header");
-    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp(uuid_begin);
-    file << content_uuid(bytes);
-    if (!file.flush()) throw OutputError(path.string() + ": writing failed; is the disk full?");
-}
-
 void check_bytes(const std::filesystem::path& path) {
     const std::string bytes = read_text(path);
     const std::string remedy = "; run tidewater-geometry again";
@@ -57,21 +49,18 @@ void check_bytes(const std::filesystem::path& path) {
 void write_level_sets(const std::filesystem::path& path, const std::vector<openvdb::FloatGrid::Ptr>& grids,
                       const Provenance& provenance) {
     openvdb::initialize();
-    PartFile part(path);
     openvdb::MetaMap metadata;
     metadata.insertMeta(format_key, openvdb::Int32Metadata(level_set_format));
     for (const auto& [name, text] : provenance_fields(provenance)) {
         metadata.insertMeta(name, openvdb::StringMetadata(text));
     }
-    try {
-        openvdb::io::File file(part.part_path().string());
-        file.write(openvdb::GridCPtrVec(grids.begin(), grids.end()), metadata);
-        file.close();
-    } catch (const openvdb::Exception& error) {
-        throw OutputError(path.string() + ": writing failed: " + error.what() + "; is the disk full?");
-    }
-    stamp(part.part_path());
-    part.commit();
+    // In memory first: OpenVDB does not notice when a disk fills up.
+    std::ostringstream stream(std::ios::binary);
+    openvdb::io::Stream(stream).write(openvdb::GridCPtrVec(grids.begin(), grids.end()), metadata);
+    std::string bytes = stream.str();
+    if (!has_header(bytes)) throw OutputError(path.string() + ": OpenVDB wrote an unknown header");
+    bytes.replace(uuid_begin, uuid_size, content_uuid(bytes));
+    write_text(path, bytes);
 }
 
 std::vector<openvdb::FloatGrid::Ptr> read_level_sets(const std::filesystem::path& path) {

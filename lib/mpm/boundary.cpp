@@ -53,9 +53,7 @@ WallAction<D> apply_walls(const Layout<D>& layout, const Walls<D>& walls, const 
         }
         const Vector<D, double> from = before.template head<D>().template cast<double>().matrix();
         const Vector<D, double> to = node.template head<D>().template cast<double>().matrix();
-        const auto mass = static_cast<double>(node[mass_lane]);
-        action.impulse += mass * (to - from);
-        action.work += mass * (to - from).dot(to);
+        action.impulse += static_cast<double>(node[mass_lane]) * (to - from);
     }
     return action;
 }

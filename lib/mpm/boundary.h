@@ -24,7 +24,6 @@ using Walls = std::array<std::array<WallRule, 2>, static_cast<std::size_t>(D)>;
 template <int D>
 struct WallAction {
     Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
-    double work = 0.0;  // J: Σ impulse · velocity of the wall, which is 0 for walls at rest
 };
 
 // Applies the walls to the velocities of one block of nodes; `block` as in Layout::block_at.

@@ -1,7 +1,7 @@
 // What a run has of each conserved thing, and where it came from or went.
 //
 //     momentum(t) = momentum(0) + gravity impulse + wall impulse          closes to rounding
-//     kinetic + gravitational + elastic − wall work                       never grows; what it loses is the
+//     kinetic + gravitational + elastic                                   never grows; what it loses is the
 //     scheme's loss
 //
 // Energies in J (per metre of width in 2D). Kinetic energy counts what APIC keeps in C: ½ m (|v|² +

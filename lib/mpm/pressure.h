@@ -5,10 +5,10 @@
 
 namespace tidewater::mpm {
 
-// For every particle of `body`, in its present order: the pressure of the water around it, averaged over the
+// [body][particle, in its present order]: the pressure of the water around it, averaged over the
 // grid with the particles' volumes as weights (Pa; 0 where there is no water). A particle's own pressure is
-// noisy.
+// noisy. Overwrites the grid, which the next step fills anew.
 template <int D, class Real>
-std::vector<float> grid_pressure(Simulation<D, Real>& simulation, std::size_t body);
+std::vector<std::vector<float>> grid_pressure(Simulation<D, Real>& simulation);
 
 }  // namespace tidewater::mpm

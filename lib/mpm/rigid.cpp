@@ -63,6 +63,7 @@ Momenta gathered_momenta(const Grid<D, Real>& grid, const RigidBody& body,
 struct Beyond {
     double count = 0.0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of their positions, m
+    double deepest = 0.0;                           // m beyond the wall
 };
 
 // Where the body touches the wall of `axis` at `plane` (m) on the side `outward` (−1 or 1); count 0 if it
@@ -76,7 +77,9 @@ Beyond find_contact(const Grid<D, Real>& grid, const Particles<D, Real>& particl
         for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
             const Vector<D, double> point =
                 global_position<D, Real>(grid.layout, block, particles.position[p]);
-            if (outward * (point[axis] - plane) <= 0.0) continue;
+            const double depth = outward * (point[axis] - plane);
+            if (depth <= 0.0) continue;
+            of_block[slot].deepest = std::max(of_block[slot].deepest, depth);
             of_block[slot].count += 1.0;
             of_block[slot].sum += lift<D>(point);
         }
@@ -85,6 +88,7 @@ Beyond find_contact(const Grid<D, Real>& grid, const Particles<D, Real>& particl
     for (const Beyond& beyond : of_block) {
         total.count += beyond.count;
         total.sum += beyond.sum;
+        total.deepest = std::max(total.deepest, beyond.deepest);
     }
     return total;
 }
@@ -130,6 +134,7 @@ Eigen::Vector3d stop_at_walls(const Grid<D, Real>& grid, const Particles<D, Real
         if (beyond.count == 0.0) continue;
         const Eigen::Vector3d normal = lift<D>(Vector<D, double>::Unit(axis) * outward);
         const Eigen::Vector3d arm = beyond.sum / beyond.count - body.center;
+        body.center -= beyond.deepest * normal;
         const double approach = (body.velocity + body.angular_velocity.cross(arm)).dot(normal);
         if (approach <= 0.0) continue;
         const Eigen::Vector3d lever = arm.cross(normal);

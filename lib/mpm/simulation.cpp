@@ -78,7 +78,6 @@ void update_grid(Simulation<D, Real>& s, double dt) {
     });
     for (const auto& action : actions) {
         s.wall_impulse += action.impulse;
-        s.wall_work += action.work;
     }
     for (const auto& particles : s.bodies) {
         s.gravity_impulse -=

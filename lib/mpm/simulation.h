@@ -54,7 +54,6 @@ struct Simulation {
 
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that the walls gave since the start
     double gravity_impulse = 0.0;                                // along the last axis, likewise
-    double wall_work = 0.0;                                      // J, likewise
     std::array<double, phase_names.size()> seconds{};            // wall time per Phase
 
     std::size_t particle_count() const;

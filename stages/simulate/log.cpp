@@ -8,8 +8,10 @@ Log::Log(const std::filesystem::path& folder) : part_(folder / "log"), stream_(p
 
 void Log::line(const std::string& text) {
     std::fprintf(stderr, "%s\n", text.c_str());
-    stream_ << text << std::endl;
+    quiet_line(text);
 }
+
+void Log::quiet_line(const std::string& text) { stream_ << text << std::endl; }
 
 void Log::finish() {
     stream_.close();

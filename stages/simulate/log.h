@@ -14,6 +14,7 @@ class Log {
 public:
     explicit Log(const std::filesystem::path& folder);
     void line(const std::string& text);
+    void quiet_line(const std::string& text);  // to the file alone
     void finish();
 
 private:

@@ -22,11 +22,14 @@ std::string format(const char* pattern, Values... values) {
     return text;
 }
 
+// Times to the nanosecond, so that the ends of 30 intervals of 0.01 s and of 6 of 0.05 s are the same number.
+double rounded(double time) { return std::round(time * 1e9) / 1e9; }
+
 // n · interval for n = 0, 1, 2 …: the times at which something is written.
 class Schedule {
 public:
     explicit Schedule(double interval) : interval_(interval) {}
-    double next() const { return static_cast<double>(count_) * interval_; }
+    double next() const { return rounded(static_cast<double>(count_) * interval_); }
     bool due(double time) {
         if (time < next()) return false;
         ++count_;
@@ -65,7 +68,7 @@ template <int D, class Real>
 void run_to_end(const scene::Scene& scene, mpm::Simulation<D, Real>& s, Records<D, Real>& records, Log& log) {
     Schedule frames(scene.simulate.snapshot_interval), rows(scene.simulate.gauge_interval);
     Progress progress("simulate");
-    const double end = scene.simulate.end_time;
+    const double end = rounded(scene.simulate.end_time);
     for (;;) {
         const bool ended = s.time >= end;
         if (rows.due(s.time) || ended) records.append_row(s);
@@ -108,12 +111,11 @@ template <int D, class Real>
 void simulate(StageContext& context) {
     const scene::Scene& scene = context.scene;
     const auto started = std::chrono::steady_clock::now();
-    const auto start = make_start<D>(scene, context.run / "geometry" / "geometry.vdb");
+    auto s = mpm::make_simulation<D, Real>(make_start<D>(scene, context.run / "geometry" / "geometry.vdb"));
     remove_old_records(context.folder);
     write_resolved_scene(context);
     Log log(context.folder);
     try {
-        auto s = mpm::make_simulation<D, Real>(start);
         log.line(format("%zu particles in %zu blocks, %dD, %s, cell size %g m", s.particle_count(),
                         s.grid.particle_blocks.size(), D, sizeof(Real) == 4 ? "float" : "double",
                         scene.domain.cell_size));
@@ -124,7 +126,7 @@ void simulate(StageContext& context) {
         log.finish();
         records.finish();
     } catch (const Error& error) {
-        log.line(std::string("stopped: ") + error.what());
+        log.quiet_line(std::string("stopped: ") + error.what());  // the stage says it on standard error
         log.finish();
         throw;
     }

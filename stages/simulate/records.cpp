@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
+#include "core/error.h"
 #include "io/snapshot.h"
 #include "io/text.h"
 #include "mpm/pressure.h"
@@ -67,14 +69,20 @@ bool near_place(const mpm::Layout<D>& layout, const mpm::Index<D>& block, const 
 }  // namespace
 
 void remove_old_records(const std::filesystem::path& folder) {
+    const std::regex ours(R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|ledger\.csv|log)(\.part)?)");
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        const bool frame = name.rfind("frame", 0) == 0 && name.find(".hdf") != std::string::npos;
-        const bool table = name.rfind("gauges.csv", 0) == 0 || name.rfind("ledger.csv", 0) == 0;
-        if (frame || table || name.rfind("log", 0) == 0) old.push_back(entry.path());
+        if (std::regex_match(entry.path().filename().string(), ours)) old.push_back(entry.path());
     }
-    for (const auto& path : old) std::filesystem::remove(path);
+    // First the one that says that the run is whole.
+    std::partition(old.begin(), old.end(), [](const auto& path) { return path.filename() == "ledger.csv"; });
+    for (const auto& path : old) {
+        std::error_code error;
+        std::filesystem::remove(path, error);
+        if (error)
+            throw OutputError(path.string() + ": cannot be removed: " + error.message() +
+                              "; remove it by hand");
+    }
 }
 
 template <int D, class Real>
@@ -92,10 +100,10 @@ void Records<D, Real>::write_frame(mpm::Simulation<D, Real>& s) {
     io::Snapshot snapshot;
     snapshot.dimension = D;
     snapshot.time = s.time;
+    const auto pressure = mpm::grid_pressure(s);
     for (std::size_t body = 0; body < s.bodies.size(); ++body) {
         const auto& particles = s.bodies[body];
-        const auto pressure = mpm::grid_pressure(s, body);
-        snapshot.pressure.insert(snapshot.pressure.end(), pressure.begin(), pressure.end());
+        snapshot.pressure.insert(snapshot.pressure.end(), pressure[body].begin(), pressure[body].end());
         snapshot.id.insert(snapshot.id.end(), particles.id.begin(), particles.id.end());
         snapshot.material.insert(snapshot.material.end(), particles.size(),
                                  static_cast<std::uint8_t>(particles.material));
@@ -143,7 +151,7 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     gauges_.append(row);
 
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
-    energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic - s.wall_work;
+    energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic;
     if (first_row_) start_energy_ = highest_energy_ = energy_;
     first_row_ = false;
     highest_energy_ = std::max(highest_energy_, energy_);
@@ -154,8 +162,9 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     row = {s.time, static_cast<double>(s.step), ledger.mass};
     row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
     row.insert(row.end(), s.wall_impulse.begin(), s.wall_impulse.end());
+    constexpr double boundary_work = 0.0;  // of walls at rest
     row.insert(row.end(), {s.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
-                           s.wall_work, energy_});
+                           boundary_work, energy_});
     ledger_.append(row);
 }
 

@@ -43,6 +43,8 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
                         .water = scene.water.model,
                         .walls = make_walls<D>(scene.domain)};
     std::size_t count = 0;
+    if (!std::filesystem::exists(file))
+        throw InputError(file.string() + ": missing; run tidewater-geometry first");
     for (const auto& grid : io::read_level_sets(file)) {
         check_made_for(scene, *grid, file);
         if (grid->getName() == "tank") continue;

@@ -185,7 +185,7 @@ TEST_CASE("a particle at rest in empty space falls as a stone does") {
 
 TEST_CASE("grid pressure of still water is hydrostatic away from walls and surface") {
     auto s = make_simulation<2, double>(test::tank_start<2>(0.05, {40, 30}, 1.0, 60.0));
-    const auto pressure = grid_pressure(s, 0);
+    const auto pressure = grid_pressure(s)[0];
     for_each_particle(s.bodies[0], [&](std::size_t slot, std::size_t p) {
         const Index<2> block = s.grid.layout.block_at(s.grid.particle_blocks[slot]);
         const double z = global_position<2, double>(s.grid.layout, block, s.bodies[0].position[p])[1];
@@ -214,4 +214,14 @@ TEST_CASE("a velocity that is not a number stops the run and names the particle"
     auto s = make_simulation<2, float>(test::tank_start<2>(0.1, {10, 10}, 0.5, 10.0));
     s.bodies[0].velocity[0][0] = std::numeric_limits<float>::quiet_NaN();
     CHECK_THROWS_WITH_AS(advance(s, 1e-3), doctest::Contains("not a number"), NumericsError);
+}
+
+TEST_CASE("still water stays at its level for a second and comes to rest") {
+    auto s = make_simulation<2, float>(test::tank_start<2>(0.05, {20, 30}, 1.0, 62.0));
+    while (s.time < 1.0) advance(s, stable_time_step(s));
+    const auto ledger = take_ledger(s);
+    const double mean_height = ledger.gravitational / (ledger.mass * s.parameters.gravity);
+    CHECK(std::abs(mean_height - 0.5) < 0.05 * 0.05);
+    CHECK(s.speeds.particle < 0.03);                               // 1 % of √(g D)
+    CHECK(std::sqrt(2.0 * ledger.kinetic / ledger.mass) < 0.01);  // root mean square
 }
