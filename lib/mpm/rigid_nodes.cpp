@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "mpm/lift.h"
@@ -62,7 +63,7 @@ void for_each_marked(std::uint64_t marks, const Layout<D>& layout, const Index<D
     }
 }
 
-// Which nodes of each node block the particles touch, one bit per node.
+// Which nodes of each node block belong to the body, one bit per node.
 template <int D, class Real>
 std::vector<std::uint64_t> touched_nodes(const Particles<D, Real>& particles, Grid<D, Real>& grid) {
     const auto holds_particles = [&](int tile) {
@@ -77,6 +78,9 @@ std::vector<std::uint64_t> touched_nodes(const Particles<D, Real>& particles, Gr
                              tile);
         }
     });
+    const double full =
+        std::pow(grid.layout.cell_size, D) / particles.volume;  // particles' weight deep inside
+    const auto threshold = static_cast<Real>(least_share * full);
     std::vector<std::uint64_t> marks(grid.node_blocks.size(), 0);
     parallel_for(marks.size(), [&](std::size_t slot) {
         const auto& tiles = grid.tiles_of_node[slot];
@@ -84,7 +88,7 @@ std::vector<std::uint64_t> touched_nodes(const Particles<D, Real>& particles, Gr
         std::array<Node<Real>, static_cast<std::size_t>(Block<D>::nodes)> touch;
         sum_tiles(grid, slot, touch.data());
         for (std::size_t n = 0; n < touch.size(); ++n) {
-            if (touch[n][mass_lane] > Real(0)) marks[slot] |= std::uint64_t{1} << n;
+            if (touch[n][mass_lane] > threshold) marks[slot] |= std::uint64_t{1} << n;
         }
     });
     return marks;

@@ -137,15 +137,23 @@ struct DenseTwin {
             return {v[0], v[2]};
     }
 
-    // Every node that a body's particle touches takes part in one rigid motion with the momentum of these
+    // Every node that a body fills by 1/48 or more takes part in one rigid motion with the momentum of these
     // nodes.
     void move_nodes_as_one(std::size_t body) {
-        std::map<Cell, Eigen::Vector3d> touched;
+        std::map<Cell, double> filled;
         for (const Particle& p : particles) {
             if (p.body != body) continue;
-            for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                if (w > 0) touched[i] = lift(p.x + d);
+            for_each_node(p.x, [&](const Cell& i, double w, const Vec&) {
+                filled[i] += w * p.volume / std::pow(start.cell_size, D);
             });
+        }
+        std::map<Cell, Eigen::Vector3d> touched;
+        for (const auto& [i, share] : filled) {
+            if (share <= 1.0 / 48.0) continue;
+            Vec x;
+            for (int axis = 0; axis < D; ++axis)
+                x[axis] = i[static_cast<std::size_t>(axis)] * start.cell_size;
+            touched[i] = lift(x);
         }
         double mass = 0;
         Eigen::Vector3d middle = Eigen::Vector3d::Zero(), linear = middle, angular = middle;

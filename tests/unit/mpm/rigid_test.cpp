@@ -99,6 +99,22 @@ TEST_CASE("a floating block keeps its draft and no water leaks into it") {
     CHECK(inside == 0);
 }
 
+TEST_CASE("a block that was dropped floats at its draft when it has come to rest") {
+    // From 11 cm above its draft; it raises the level of the 4 m tank by 1.4 cm. 10 cells across.
+    auto start = test::tank_start<2>(0.05, {80, 30}, 1.0, 62.0, 0.5, Vector<2, double>(1.75, 0.65));
+    auto s = make_simulation<2, float>(start);
+    double sum = 0.0;
+    int samples = 0;
+    while (s.time < 5.0) {
+        advance(s, stable_time_step(s));
+        if (s.time > 2.0) {
+            sum += s.rigid[0].center[2];
+            ++samples;
+        }
+    }
+    CHECK(sum / samples == doctest::Approx(1.014 - 0.46 + 0.25).epsilon(0.02));  // within 0.3 cells
+}
+
 TEST_CASE_TEMPLATE("moving nodes as one keeps their momentum and makes them rigid", Dimension,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     constexpr int D = Dimension::value;
@@ -123,12 +139,14 @@ TEST_CASE_TEMPLATE("moving nodes as one keeps their momentum and makes them rigi
     move_nodes_as_one(particles, s.rigid[0].center, s.grid);
     after = total();
     CHECK((after - before).norm() < 1e-12 * before.norm());
-    // A rigid field gives every particle the same antisymmetric gradient.
+    // Particles whose nodes are all the body's, a cell and a half inside, get the same antisymmetric
+    // gradient.
     std::vector<Node<double>> tile(Block<D>::tile_nodes);
     Matrix<D, double> first = Matrix<D, double>::Zero();
     for (std::size_t slot = 0; slot < s.grid.particle_blocks.size(); ++slot) {
         load_tile(s.grid, slot, tile.data());
         for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+            if (particles.offset[p].cwiseAbs().maxCoeff() > 0.25) continue;
             Vector<D, double> velocity;
             Matrix<D, double> gradient;
             gather<D, double>(particles.position[p], tile.data(), velocity, gradient);
