@@ -1,4 +1,5 @@
-// The one error type: a line that says what is wrong, where, and what to do, and the exit code it ends the program with.
+// The one error type: a line that says what is wrong, where, and what to do, and the exit code it ends the
+// program with.
 #pragma once
 
 #include <stdexcept>

@@ -27,7 +27,8 @@ void sync(const std::filesystem::path& path, int flags) {
     const bool synced = ::fsync(descriptor) == 0;
     const std::string why = synced ? "" : reason();
     ::close(descriptor);
-    if (!synced) throw OutputError(path.string() + ": cannot be synced: " + why + "; free disk space and run again");
+    if (!synced)
+        throw OutputError(path.string() + ": cannot be synced: " + why + "; free disk space and run again");
 }
 
 }  // namespace

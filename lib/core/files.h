@@ -7,7 +7,8 @@
 
 namespace tidewater {
 
-// Guards one output file. Write to part_path(), then commit(); if commit() is not reached the part is removed.
+// Guards one output file. Write to part_path(), then commit(); if commit() is not reached the part is
+// removed.
 //     PartFile file("run/gauges.csv");
 //     write(file.part_path());
 //     file.commit();

@@ -11,7 +11,8 @@ namespace tidewater {
 
 inline constexpr std::uint64_t hash_start = 0xcbf29ce484222325ULL;
 
-// Continues `hash` over the bytes, so that hash_bytes(b, hash_bytes(a)) is the fingerprint of a followed by b.
+// Continues `hash` over the bytes, so that hash_bytes(b, hash_bytes(a)) is the fingerprint of a followed by
+// b.
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t hash = hash_start);
 
 std::uint64_t hash_text(std::string_view text, std::uint64_t hash = hash_start);

@@ -1,4 +1,5 @@
-// Progress of long work on standard error: one line that is redrawn on a terminal, else one plain line per 10 %.
+// Progress of long work on standard error: one line that is redrawn on a terminal, else one plain line per 10
+// %.
 #pragma once
 
 #include <chrono>

@@ -1,6 +1,6 @@
-// Counter-based random numbers: the value depends on (seed, stream, counter) alone, so any thread may ask for any one.
-// Mixing function: two rounds of the finaliser of SplitMix64 (Steele, Lea & Flood 2014, "Fast splittable pseudorandom
-// number generators").
+// Counter-based random numbers: the value depends on (seed, stream, counter) alone, so any thread may ask for
+// any one. Mixing function: two rounds of the finaliser of SplitMix64 (Steele, Lea & Flood 2014, "Fast
+// splittable pseudorandom number generators").
 #pragma once
 
 #include <cstdint>

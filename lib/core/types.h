@@ -1,5 +1,5 @@
-// Types that every folder shares. SI units throughout: m, kg, s, Pa. Axes: x along the fjord, the last axis up;
-// y, present in 3D only, across it. A point in 2D is (x, z), in 3D (x, y, z).
+// Types that every folder shares. SI units throughout: m, kg, s, Pa. Axes: x along the fjord, the last axis
+// up; y, present in 3D only, across it. A point in 2D is (x, z), in 3D (x, y, z).
 #pragma once
 
 #include <Eigen/Core>
