@@ -110,7 +110,7 @@ GaugeWave analyse_change(double x, std::span<const double> time, std::span<const
     const auto value = all.first(count);
     const auto until = time.first(count);
     const double greatest = greatest_excursion(value, count);
-    find_extremes(until, value, greatest, wave);
+    find_extremes(time, all, greatest_excursion(all, all.size()), wave);  // with what came back from the wall
     if (std::isnan(wave.arrival)) return wave;
     const double margin = settings.arrival_threshold * greatest;
     const auto crossings = zero_up_crossings(until, value, margin);

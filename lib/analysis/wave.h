@@ -42,9 +42,9 @@ struct GaugeWave {
         none;  // lowest η of the leading wave after its crest, m; none if the record ends in the fall
     double height = none;         // crest - trough, m
     double period = none;         // s, of the leading wave, between zero-up-crossings
-    double greatest = none;       // greatest η, m
+    double greatest = none;       // greatest η of the whole record, reflections too, m
     double greatest_time = none;  // s
-    double lowest = none;         // lowest η, m
+    double lowest = none;         // lowest η, likewise, m
     double mean_period = none;    // s, between the record's first and last zero-up-crossing
     double record_end = none;     // s; when the reflection comes back or the record ends
 };

@@ -40,4 +40,16 @@ std::string read_text(const std::filesystem::path& path);
 // Creates the folder and its parents, and checks that a file can be made there. Throws OutputError.
 void make_output_folder(const std::filesystem::path& folder);
 
+// Holds a folder for one process while it lives. Throws OutputError if another process holds it.
+class FolderLock {
+public:
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int descriptor_;
+};
+
 }  // namespace tidewater

@@ -70,6 +70,9 @@ bool Hdf5Handle::close() {
 }
 
 QuietHdf5::QuietHdf5() {
+    // HDF5 would try at exit to finish a file that a full disk kept from being closed, and crash.
+    static const herr_t first_call = H5dont_atexit();
+    static_cast<void>(first_call);
     H5Eget_auto2(H5E_DEFAULT, &handler_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

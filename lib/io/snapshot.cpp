@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -106,6 +108,16 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
     part.commit();
 }
 
+namespace {
+
+void check_finite(const Hdf5Reader& file, const std::string& name, const std::vector<float>& values) {
+    const auto bad =
+        std::count_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
+    if (bad > 0) file.fail("array " + name + " has " + std::to_string(bad) + " values that are not numbers");
+}
+
+}  // namespace
+
 Snapshot read_snapshot(const std::filesystem::path& path) {
     const Hdf5Reader file = open_snapshot(path);
     Snapshot snapshot;
@@ -120,7 +132,9 @@ Snapshot read_snapshot(const std::filesystem::path& path) {
         if (values.size() != snapshot.particle_count() * static_cast<std::size_t>(column.components)) {
             file.fail("array " + name + " does not have one entry per particle");
         }
+        if constexpr (std::is_floating_point_v<Value>) check_finite(file, name, values);
     });
+    check_finite(file, "/VTKHDF/Points", snapshot.points);
     return snapshot;
 }
 

@@ -70,6 +70,7 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                                         .seed = scene.seed}};
     say(program, "writing " + context.folder.string());
     make_output_folder(context.folder);
+    const FolderLock lock(context.folder);
     const ThreadLimit limit(options.threads);
     program.work(context);
     const std::chrono::duration<double> elapsed = Clock::now() - start;

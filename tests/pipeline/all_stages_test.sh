@@ -124,9 +124,7 @@ expect_same "$(find broken -name '*.part')" ""
 
 for name in geometry simulate postprocess; do
     case_named "$name on a full disk ends with 5 and nothing broken under a final name"
-    sizes=(1 8 40)
-    [[ $name != simulate ]] || sizes=(1) # in a frame's way: HDF5 1.10 crashes at exit after a file that it cannot close
-    for size in "${sizes[@]}"; do
+    for size in 1 8 40; do
         rm -rf full
         cp -r whole full
         [[ $name != geometry ]] || rm full/geometry/*

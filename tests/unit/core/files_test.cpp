@@ -87,3 +87,13 @@ TEST_CASE("an output folder below a file or without the right to write is an out
     CHECK_THROWS_AS(make_output_folder("/proc/tidewater"), OutputError);
     CHECK_THROWS_AS(make_output_folder("/proc"), OutputError);
 }
+
+TEST_CASE("a folder that one lock holds is refused to another until it is let go") {
+    const test::TemporaryFolder folder;
+    {
+        const FolderLock lock(folder.path());
+        CHECK_THROWS_WITH_AS(FolderLock(folder.path()), doctest::Contains("another run is writing here"),
+                             OutputError);
+    }
+    CHECK_NOTHROW(FolderLock(folder.path()));
+}

@@ -1,12 +1,14 @@
 #include "io/snapshot.h"
 
 #include <doctest/doctest.h>
+
 #include <vtkCell.h>
 #include <vtkDataArray.h>
 #include <vtkHDFReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
+#include <limits>
 
 #include <array>
 #include <fstream>
@@ -190,6 +192,15 @@ TEST_CASE("names the first snapshot that is missing among others") {
     CHECK(line().starts_with((folder / "frame_0000.hdf").string() + ": the file is missing"));
     write_text(folder / snapshot_name(0), "");
     CHECK(line().starts_with((folder / "frame_0002.hdf").string() + ": the file is missing"));
+}
+
+TEST_CASE("a snapshot with places that are not numbers is refused") {
+    const TemporaryFolder folder;
+    Snapshot snapshot = test_snapshot(4);
+    snapshot.points[3] = std::numeric_limits<float>::quiet_NaN();
+    write_snapshot(folder / "frame_0000.hdf", snapshot, test_provenance());
+    CHECK_THROWS_WITH_AS(read_snapshot(folder / "frame_0000.hdf"),
+                         doctest::Contains("1 values that are not numbers"), InputError);
 }
 
 TEST_CASE("the series names every frame with its time") {
