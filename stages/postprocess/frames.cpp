@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/surface.h"
+#include "common/tank.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/types.h"
@@ -32,20 +33,10 @@ io::Snapshot read_frame(const std::filesystem::path& file, const scene::Scene& s
     return snapshot;
 }
 
-// The tank's size as (x, y, z), y = 0 in 2D.
-std::array<double, 3> tank_size(const scene::Scene& scene) {
-    const auto& size = scene.domain.size;
-    return {size.front(), scene.dimension == 3 ? size[1] : 0.0, size.back()};
-}
-
 std::vector<double> read_gauges(const io::Snapshot& snapshot, const scene::Scene& scene) {
-    const analysis::Tank tank{.dimension = scene.dimension,
-                              .size = tank_size(scene),
-                              .cell_size = scene.domain.cell_size,
-                              .still_level = scene.water.depth};
-    std::vector<analysis::Place> places;
-    for (const double x : scene.postprocess.gauges) places.push_back({x, 0.5 * tank.size[1]});
-    return analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank, places);
+    const analysis::Tank tank = make_tank(scene);
+    return analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank,
+                                       gauge_places(scene.postprocess.gauges, tank));
 }
 
 double fast_water(const io::Snapshot& snapshot) {
@@ -64,7 +55,7 @@ double fast_water(const io::Snapshot& snapshot) {
 
 io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) {
     io::PictureSettings settings{.dimension = scene.dimension,
-                                 .size = tank_size(scene),
+                                 .size = make_tank(scene).size,
                                  .particle_spacing = scene.domain.cell_size / scene.particles.per_axis,
                                  .still_level = scene.water.depth,
                                  .greatest_speed = scene.postprocess.picture_speed,

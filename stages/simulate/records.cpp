@@ -4,6 +4,7 @@
 #include <cmath>
 #include <regex>
 
+#include "common/tank.h"
 #include "core/error.h"
 #include "io/snapshot.h"
 #include "io/text.h"
@@ -28,22 +29,6 @@ std::vector<std::string> ledger_columns() {
     columns.insert(columns.end(),
                    {"gravity_impulse_z", "kinetic", "gravitational", "elastic", "boundary_work", "energy"});
     return columns;
-}
-
-analysis::Tank make_tank(const scene::Scene& scene) {
-    const auto& size = scene.domain.size;
-    return {.dimension = scene.dimension,
-            .size = {size.front(), scene.dimension == 3 ? size[1] : 0.0, size.back()},
-            .cell_size = scene.domain.cell_size,
-            .still_level = scene.water.depth};
-}
-
-std::vector<analysis::Place> gauge_places(const scene::Scene& scene) {
-    std::vector<analysis::Place> places;
-    for (const double x : scene.simulate.gauges) {
-        places.push_back({.x = x, .y = scene.dimension == 3 ? 0.5 * scene.domain.size[1] : 0.0});
-    }
-    return places;
 }
 
 // Appends (x, y, z), y = 0 in 2D.
@@ -91,7 +76,7 @@ Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path
     : folder_(folder),
       provenance_(provenance),
       tank_(make_tank(scene)),
-      places_(gauge_places(scene)),
+      places_(gauge_places(scene.simulate.gauges, tank_)),
       gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
       ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {}
 
