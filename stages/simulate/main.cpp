@@ -47,7 +47,7 @@ std::string time_step_line(const mpm::Simulation<D, Real>& s) {
     const double sum = speeds.sound + speeds.particle;
     const double fall = std::sqrt(s.parameters.cfl * s.grid.layout.cell_size / s.parameters.gravity);
     if (mpm::stable_time_step(s) >= fall)
-        return format("dt %.3g s, limited by gravity at the start from rest", fall);
+        return format("dt %.3g s, limited by gravity (a fall from rest)", fall);
     return format("dt %.3g s = %g x %g m / (sound %.4g m/s + particles %.3g m/s), limited by %s (%.0f %%)",
                   mpm::stable_time_step(s), s.parameters.cfl, s.grid.layout.cell_size, speeds.sound,
                   speeds.particle,
