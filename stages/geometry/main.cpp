@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "common/stage.h"
+#include "core/error.h"
 #include "core/hash.h"
 #include "geometry/level_set.h"
 #include "io/vdb.h"
@@ -97,10 +98,13 @@ void write_geometry(StageContext& context) {
         geometry::describe_body(*grids.back(), Material::rigid, volume(scene, block));
         std::printf("block: %.6g %s\n", volume(scene, block), unit);
     }
-    for (const auto& grid : grids)
-        geometry::mark_scene(*grid, hash_hex(hash_text(stage_part(scene, scene::Stage::geometry))));
+    const std::string fingerprint = hash_hex(hash_text(stage_part(scene, scene::Stage::geometry)));
+    for (const auto& grid : grids) geometry::mark_scene(*grid, fingerprint);
     const auto path = context.folder / "geometry.vdb";
-    std::filesystem::remove(path);
+    std::error_code error;
+    std::filesystem::remove(path, error);
+    if (error)
+        throw OutputError(path.string() + ": cannot be removed: " + error.message() + "; remove it by hand");
     write_resolved_scene(context);
     io::write_level_sets(path, grids, context.provenance);
     std::printf("wrote %s: %zu level sets, voxel size %g m\n", path.c_str(), grids.size(),

@@ -45,12 +45,11 @@ template <int D, class Real>
 std::string time_step_line(const mpm::Simulation<D, Real>& s) {
     const auto& speeds = s.speeds;
     const double sum = speeds.sound + speeds.particle;
-    const double fall = std::sqrt(s.parameters.cfl * s.grid.layout.cell_size / s.parameters.gravity);
-    if (mpm::stable_time_step(s) >= fall)
-        return format("dt %.3g s, limited by gravity (a fall from rest)", fall);
+    const double step = mpm::stable_time_step(s);
+    if (sum == 0.0 || step < s.parameters.cfl * s.grid.layout.cell_size / sum)
+        return format("dt %.3g s, limited by gravity (a fall from rest)", step);
     return format("dt %.3g s = %g x %g m / (sound %.4g m/s + particles %.3g m/s), limited by %s (%.0f %%)",
-                  mpm::stable_time_step(s), s.parameters.cfl, s.grid.layout.cell_size, speeds.sound,
-                  speeds.particle,
+                  step, s.parameters.cfl, s.grid.layout.cell_size, speeds.sound, speeds.particle,
                   speeds.sound >= speeds.particle ? "the sound speed" : "the fastest particle",
                   100.0 * std::max(speeds.sound, speeds.particle) / sum);
 }
