@@ -83,10 +83,21 @@ build_jobs() {
     echo $((jobs > 1 ? jobs : 1))
 }
 
-# build FOLDER TYPE TARGET configures the folder if that was not done and builds what is not up to date.
+# The compiler of a build folder, or nothing if it was not configured.
+compiler_of() { # FOLDER
+    [[ ! -f $1/build.ninja ]] || sed --quiet 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$1/CMakeCache.txt"
+}
+
+# build FOLDER TYPE TARGET configures the folder, if that was not done or not with this compiler, and builds what is not
+# up to date. The compiler is clang-19, whose loops are 1.3 to 2 times as fast as GCC 12's, unless CXX names another.
 build() {
-    local folder=$1 type=$2 target=$3
-    [[ -f $folder/build.ninja ]] ||
-        timed "configuring $folder ($type)" quietly cmake -G Ninja -S "$project" -B "$folder" -D CMAKE_BUILD_TYPE="$type"
+    local folder=$1 type=$2 target=$3 before compiler
+    [[ -n ${CXX-} ]] || export CXX=clang++-19 CC=clang-19
+    compiler=$(command -v "$CXX") || fail 1 "CXX=$CXX: no such compiler"
+    before=$(compiler_of "$folder")
+    if [[ ! $before -ef $compiler ]]; then
+        timed "configuring $folder ($type) with $CXX${before:+ instead of $before}" \
+            quietly cmake --fresh -G Ninja -S "$project" -B "$folder" -D CMAKE_BUILD_TYPE="$type"
+    fi
     timed "building $folder" cmake --build "$folder" --parallel "$(build_jobs)" --target "$target"
 }

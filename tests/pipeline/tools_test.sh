@@ -78,3 +78,42 @@ stub sudo 'exit 1'
 install_as 65534
 expect_code 1
 expect_line "as root run: apt-get install --no-install-recommends cmake libvtk9-dev"
+
+# build_with COMPILER: build as tools/run calls it, where cmake is a stub that writes its arguments to cmake.log and, to
+# configure, the compiler's path as CMake does. Of compilers there are clang++-19 and g++.
+build_with() {
+    rm -f "$work/cmake.log"
+    run env CXX="$1" PATH="$stubs:/usr/bin:/bin" bash -c "source '$work/tools/common.sh'; build '$work/b' Release all"
+}
+stub clang++-19 'echo clang'
+stub g++ 'echo gnu'
+stub cmake "echo \"CC=\$CC CXX=\$CXX \$*\" >>'$work/cmake.log'
+[[ \$1 == --build ]] && exit
+mkdir -p '$work/b' && touch '$work/b/build.ninja'
+echo \"CMAKE_CXX_COMPILER:FILEPATH=$stubs/\$CXX\" >'$work/b/CMakeCache.txt'"
+
+case_named "clang-19 builds unless CXX names another compiler"
+build_with ""
+expect_code 0
+expect_line "configuring $work/b (Release) with clang++-19: took"
+expect_same "$(head -n 1 "$work/cmake.log")" \
+    "CC=clang-19 CXX=clang++-19 --fresh -G Ninja -S $work -B $work/b -D CMAKE_BUILD_TYPE=Release"
+
+case_named "a folder that is configured with this compiler is only built"
+build_with clang++-19
+expect_code 0
+expect_no_line "configuring"
+expect_same "$(wc -l <"$work/cmake.log")" 1
+
+case_named "a folder that another compiler built is configured anew, and one line says so"
+build_with g++
+expect_code 0
+expect_line "configuring $work/b (Release) with g++ instead of $stubs/clang++-19"
+expect_line "building $work/b: took"
+build_with g++
+expect_no_line "configuring"
+
+case_named "a compiler that does not exist is told"
+build_with no-such-compiler
+expect_code 1
+expect_same "$output" "bash: CXX=no-such-compiler: no such compiler"
