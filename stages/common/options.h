@@ -1,4 +1,4 @@
-// The command line of every stage. The only user of CLI11.
+// The command line of every stage. No other file of the stages uses CLI11.
 #pragma once
 
 #include <filesystem>

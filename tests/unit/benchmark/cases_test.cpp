@@ -1,0 +1,107 @@
+#include "cases.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace tidewater;
+using namespace tidewater::benchmark;
+
+namespace {
+
+template <int D>
+std::size_t count_of(const Scene<D>& scene) {
+    std::size_t count = 0;
+    for (const auto& body : scene.start.bodies) count += body.points.size();
+    return count;
+}
+
+template <int D>
+void check_scene(std::string_view name, long particles) {
+    CAPTURE(name);
+    const Scene<D> scene = make_scene<D>(name, particles);
+    const std::size_t count = count_of(scene);
+    CHECK(static_cast<double>(count) == doctest::Approx(static_cast<double>(particles)).epsilon(0.1));
+    CHECK(scene.velocity.size() == count);
+    const double share = std::pow(scene.start.cell_size / 2, D);
+    for (const auto& body : scene.start.bodies) {
+        CHECK(!body.points.empty());
+        CHECK(body.volume == doctest::Approx(share * static_cast<double>(body.points.size())));
+        const double density = body.mass / body.volume;
+        CHECK(density == doctest::Approx(body.material == Material::water ? 1000.0
+                                         : body.material == Material::ice ? 900.0
+                                                                          : 920.0));
+        for (const auto& point : body.points) {
+            REQUIRE(point.minCoeff() > 0.0);
+            for (int axis = 0; axis < D; ++axis) {
+                REQUIRE(point[axis] <
+                        scene.start.cell_size * scene.start.cells[static_cast<std::size_t>(axis)]);
+            }
+        }
+    }
+    double fastest = 0.0;
+    for (const auto& velocity : scene.velocity) fastest = std::max(fastest, velocity.norm());
+    CHECK(fastest > 5.0);
+    CHECK(fastest < 25.0);
+}
+
+template <int D>
+double mean_speed(const Scene<D>& scene) {
+    Vector<D, double> sum = Vector<D, double>::Zero();
+    for (const auto& velocity : scene.velocity) sum += velocity;
+    return sum.norm() / static_cast<double>(scene.velocity.size());
+}
+
+}  // namespace
+
+TEST_CASE("every case has about the wanted number of particles, in the box, with their body's density") {
+    for (const auto name : {"water2d", "ice2d"}) check_scene<2>(name, 60000);
+    for (const auto name : {"water3d", "ice3d", "mixed3d"}) check_scene<3>(name, 100000);
+}
+
+TEST_CASE("the smallest scenes have all their bodies") {
+    CHECK(count_of(make_scene<2>("water2d", 1)) > 64);
+    CHECK(count_of(make_scene<2>("ice2d", 1)) > 64);
+    const Scene<3> mixed = make_scene<3>("mixed3d", 1);
+    REQUIRE(mixed.start.bodies.size() == 3);
+    for (const auto& body : mixed.start.bodies) CHECK(!body.points.empty());
+}
+
+TEST_CASE("turning water has no momentum") {
+    CHECK(mean_speed(make_scene<2>("water2d", 20000)) < 0.05);
+    CHECK(mean_speed(make_scene<3>("water3d", 20000)) < 0.05);
+}
+
+TEST_CASE("water comes first, the iceberg floats level and no two bodies share space") {
+    const Scene<3> scene = make_scene<3>("mixed3d", 100000);
+    const auto& bodies = scene.start.bodies;
+    REQUIRE(bodies.size() == 3);
+    CHECK(bodies[0].material == Material::water);
+    CHECK(bodies[1].material == Material::ice);
+    CHECK(bodies[2].material == Material::rigid);
+    CHECK(bodies[0].surface == doctest::Approx(80.0));
+    Vector<3, double> low = bodies[2].points[0], high = low;
+    for (const auto& point : bodies[2].points) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    const double cell = scene.start.cell_size;
+    CHECK((high - low - Vector<3, double>::Constant(40.0)).cwiseAbs().maxCoeff() < cell);
+    CHECK(std::abs(low[2] - (80.0 - 0.92 * 40.0)) < 0.5 * cell);
+    for (const auto& point : bodies[0].points) {
+        REQUIRE((point[0] >= 100.0 && point[2] < 80.0));
+        REQUIRE(((point - low).minCoeff() < 0.0 || (high - point).minCoeff() < 0.0));
+    }
+    for (const auto& point : bodies[1].points) REQUIRE(point[0] < 100.0);
+    double calm = 0.0;
+    for (std::size_t p = scene.velocity.size() - bodies[2].points.size(); p < scene.velocity.size(); ++p)
+        calm = std::max(calm, scene.velocity[p].norm());
+    CHECK(calm == 0.0);
+}
+
+TEST_CASE("the same case is the same scene") {
+    const Scene<2> first = make_scene<2>("water2d", 5000), second = make_scene<2>("water2d", 5000);
+    CHECK(first.start.bodies[0].points == second.start.bodies[0].points);
+    CHECK(first.velocity == second.velocity);
+}

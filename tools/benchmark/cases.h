@@ -1,0 +1,40 @@
+// The scenes that are timed: a fjord 100 m deep, cut into as many cells as the wanted number of particles
+// asks for, with 4 particles per cell in 2D and 8 in 3D, each moved at random by up to a quarter of their
+// spacing.
+//
+//     water2d, water3d   a tank of water that turns over at up to 10 m/s (in 3D along and across)
+//     ice2d, ice3d       a slab under gravity that slides at 10 m/s and is shaken lengthwise, its front
+//     harder
+//                        than its rear, so that part of it yields and the rest stays elastic
+//     mixed3d            an ice cliff that advances into turning water, in which an iceberg (rigid) floats
+//
+// Speeds are such that particles change their blocks as in a scene with a calving glacier.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "mpm/start.h"
+
+namespace tidewater::benchmark {
+
+struct Case {
+    std::string_view name;
+    int dimension = 0;
+    std::string_view material;
+};
+
+// Those that this engine can run.
+std::span<const Case> cases();
+
+template <int D>
+struct Scene {
+    mpm::Start<D> start;
+    std::vector<Vector<D, double>> velocity;  // m/s, of all bodies' points, in their order
+};
+
+// The scene of this case and dimension with about so many particles, at least 64 cells.
+template <int D>
+Scene<D> make_scene(std::string_view name, long particles);
+
+}  // namespace tidewater::benchmark
