@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,15 +43,14 @@ void unrolled(const Body& body) {
     (std::make_index_sequence<Count>{});
 }
 
-constexpr int repeats = 15;
-
-// Least seconds that `work` takes of several runs: what other programs on the machine take away only adds.
+// Least seconds of many short runs, work(0), work(1), ...: what other programs on the machine take away only
+// adds, and a run of about a millisecond often has a core for itself even where they take turns.
 template <class Work>
-double least_seconds(const Work& work) {
-    double least = 1e300;
-    for (int n = 0; n < repeats; ++n) {
+double least_seconds(const Work& work, long repeats = 300) {
+    double least = std::numeric_limits<double>::max();
+    for (long n = 0; n < repeats; ++n) {
         const auto start = std::chrono::steady_clock::now();
-        work();
+        work(n);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         least = std::min(least, elapsed.count());
     }
@@ -68,11 +68,11 @@ template <int Bytes>
 void measure_multiply_add() {
     using Vector = typename Wide<Bytes>::Type;
     constexpr int chains = Bytes == 64 ? 16 : 12;
-    constexpr long rounds = 4'000'000;
+    constexpr long rounds = 200'000;
     std::array<float, 2> factors{0.999F, 1e-3F};
     keep(factors.data());
     std::array<Vector, chains> x{};
-    const double seconds = least_seconds([&] {
+    const double seconds = least_seconds([&](long) {
         const Vector a = Vector{} + factors[0], b = Vector{} + factors[1];
         std::array<Vector, chains> y = x;
         for (long n = 0; n < rounds; ++n) {
@@ -90,11 +90,11 @@ void measure_multiply_add() {
 // store.
 void measure_plain_loop() {
     constexpr int count = 256;
-    constexpr long rounds = 400'000;
+    constexpr long rounds = 20'000;
     std::array<float, 2> factors{0.999F, 1e-3F};
     keep(factors.data());
     alignas(64) std::array<float, count> x{};
-    const double seconds = least_seconds([&] {
+    const double seconds = least_seconds([&](long) {
         const float a = factors[0], b = factors[1];
         for (long n = 0; n < rounds; ++n) {
             for (float& value : x)
@@ -105,19 +105,25 @@ void measure_plain_loop() {
     print("multiply_add", "float; plain loop", 1e-9 * 16.0 * count * rounds / seconds, "GFLOP/s");
 }
 
-// Each value of an array is read, changed and written back. Counts both ways.
+// Each value of an array is read, changed and written back. Counts both ways. A small array is gone through
+// several times in a row, of a large one a window after the other, so that it has left all smaller caches
+// when its turn comes.
 void measure_stream(std::size_t kibibytes) {
     std::vector<float> data(kibibytes * 256, 1.0F);
-    const double bytes = 2.0 * 1024.0 * static_cast<double>(kibibytes);
-    const long passes = std::max(1L, static_cast<long>(1e9 / bytes));
-    const double seconds = least_seconds([&] {
-        for (long n = 0; n < passes; ++n) {
-            for (float& value : data) value += 1.0F;
-            keep(data.data());
-        }
-    });
+    constexpr std::size_t most = 8192 * 256;
+    const std::size_t window = std::min(data.size(), most), passes = most / window;
+    const auto windows = static_cast<long>(data.size() / window);
+    const double seconds = least_seconds(
+        [&](long n) {
+            float* first = data.data() + static_cast<std::size_t>(n % windows) * window;
+            for (std::size_t pass = 0; pass < passes; ++pass) {
+                for (float* value = first; value != first + window; ++value) *value += 1.0F;
+                keep(first);
+            }
+        },
+        std::max(300L, 3 * windows));
     print("read_and_write", std::to_string(kibibytes) + " KiB",
-          1e-9 * bytes * static_cast<double>(passes) / seconds, "GB/s");
+          1e-9 * 2.0 * sizeof(float) * static_cast<double>(window * passes) / seconds, "GB/s");
 }
 
 // Rows of 64 bytes, at these offsets in units of 16 bytes, are read, changed and written back in pieces.
@@ -125,11 +131,11 @@ template <int Bytes>
 double nanoseconds_per_row(const std::vector<int>& offsets) {
     using Vector = typename Wide<Bytes>::Type;
     constexpr int pieces = 64 / Bytes;
-    constexpr long rounds = 8'000;
+    const long rounds = 300'000 / static_cast<long>(offsets.size());
     alignas(64) static std::array<std::byte, 32768> memory{};
     std::array<float, 1> one{1.0F};
     keep(one.data());
-    const double seconds = least_seconds([&] {
+    const double seconds = least_seconds([&](long) {
         const Vector add = Vector{} + one[0];
         for (long n = 0; n < rounds; ++n) {
             for (const int offset : offsets) {
@@ -182,7 +188,8 @@ std::vector<Rows> row_patterns() {
             {"apart; odd multiples of 16", repeated([&](int n) { return 8 * n + odd(n); })},
             {"as the last; aligned", repeated([](int) { return 0; })},
             {"as the last; odd multiple of 16", repeated([](int) { return 1; })},
-            {"overlaps the last; odd multiples of 16", repeated(odd)},
+            {"32 bytes on from the last and back; odd multiples of 16", repeated(odd)},
+            {"16 bytes on from the last and back", repeated([](int n) { return 1 + n % 2; })},
             {"nine of a particle; all in one cell", particle_rows([](int) {
                  return std::array{1, 1, 1};
              })},
@@ -228,7 +235,7 @@ int main(int argc, char** argv) {
     std::printf("ceiling,detail,value,unit\n");
     measure_multiply_add<16>();
     measure_plain_loop();
-    for (const std::size_t kibibytes : {16UL, 32UL, 128UL, 512UL, 1024UL, 1536UL, 4096UL, 16384UL, 65536UL,
+    for (const std::size_t kibibytes : {16UL, 32UL, 128UL, 512UL, 1024UL, 2048UL, 8192UL, 16384UL, 65536UL,
                                         262144UL, 1048576UL, 2097152UL}) {
         measure_stream(kibibytes);
     }
