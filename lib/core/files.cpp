@@ -45,7 +45,7 @@ PartFile::PartFile(std::filesystem::path final_path) : final_(std::move(final_pa
 
 PartFile::~PartFile() {
     std::error_code ignored;
-    if (!committed_) std::filesystem::remove(part_, ignored);
+    if (!committed_ && !kept_) std::filesystem::remove(part_, ignored);
 }
 
 void PartFile::commit() {

@@ -25,10 +25,14 @@ public:
     // Syncs the part to disk, renames it to its final name and syncs the folder. Throws OutputError.
     void commit();
 
+    // The part stays, under its own name, if commit() is not reached.
+    void keep() { kept_ = true; }
+
 private:
     std::filesystem::path final_;
     std::filesystem::path part_;
     bool committed_ = false;
+    bool kept_ = false;
 };
 
 // Replaces path by text as a whole. Throws OutputError.

@@ -9,8 +9,9 @@
 
 namespace tidewater {
 
-Progress::Progress(std::string what)
+Progress::Progress(std::string what, double done)
     : what_(std::move(what)),
+      done_(done),
       start_(Clock::now()),
       last_draw_(start_ - std::chrono::hours(1)),
       terminal_(::isatty(STDERR_FILENO) == 1) {}
@@ -24,8 +25,7 @@ void Progress::update(double fraction, const std::string& note) {
     last_draw_ = now;
     last_tenth_ = tenth;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const std::string left =
-        fraction > 0.0 ? format_duration(elapsed * (1.0 - fraction) / fraction) + " left" : "estimating";
+    const std::string left = remaining_text(elapsed, done_, fraction);
     std::fprintf(stderr, "%s%s: %3.0f %%, %s elapsed, %s%s%s%s", terminal_ ? "\r\033[K" : "", what_.c_str(),
                  std::floor(100.0 * std::min(fraction, 1.0)), format_duration(elapsed).c_str(), left.c_str(),
                  note.empty() ? "" : ", ", note.c_str(), terminal_ ? "" : "\n");
@@ -36,6 +36,11 @@ void Progress::update(double fraction, const std::string& note) {
 void Progress::finish() {
     if (terminal_ && drawn_) std::fputc('\n', stderr);
     drawn_ = false;
+}
+
+std::string remaining_text(double seconds, double done, double fraction) {
+    if (fraction <= done) return "estimating";
+    return format_duration(seconds * (1.0 - fraction) / (fraction - done)) + " left";
 }
 
 std::string format_duration(double seconds) {

@@ -1,8 +1,14 @@
 #include "core/provenance.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
+
+#include "core/error.h"
+#include "core/files.h"
+#include "core/hash.h"
 
 namespace tidewater {
 namespace {
@@ -19,9 +25,24 @@ std::string one_line(const std::string& text) {
     return line;
 }
 
+// Options with a value that cannot change a result.
+constexpr std::array<std::string_view, 4> left_out{"--threads", "--run", "--from", "--until"};
+
+bool is_left_out(std::string_view option) {
+    return std::find(left_out.begin(), left_out.end(), option) != left_out.end();
+}
+
 }  // namespace
 
 std::string program_version() { return TIDEWATER_VERSION; }
+
+std::string program_fingerprint() {
+    try {
+        return hash_hex(hash_text(read_text("/proc/self/exe")));
+    } catch (const Error&) {
+        return {};
+    }
+}
 
 std::string reproducible_command(int argc, const char* const* argv) {
     const auto name_of = [](std::string_view path) {
@@ -30,11 +51,11 @@ std::string reproducible_command(int argc, const char* const* argv) {
     std::string command = argc > 0 ? name_of(argv[0]) : std::string();
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
-        if (word == "--threads" || word == "--run") {
+        if (is_left_out(word)) {
             ++i;
         } else if (word == "--set" && i + 1 < argc) {
             command.append(" --set ").append(argv[++i]);
-        } else if (!word.starts_with("--threads=") && !word.starts_with("--run=")) {
+        } else if (!is_left_out(word.substr(0, word.find('=')))) {
             command.append(" ").append(word.starts_with("-") ? std::string(word) : name_of(word));
         }
     }

@@ -18,9 +18,13 @@ struct Provenance {
 
 std::string program_version();
 
-// argv joined by blanks, without what cannot change a result: --threads N, --run FOLDER (or --threads=N,
-// --run=FOLDER) and the folders of argv[0] and of the scene file. So the same scene gives the same bytes
-// wherever and with however many threads it runs.
+// Fingerprint of the running executable's file: the same version may be compiled in many ways, of which only
+// one gives the same bits. Empty where the system does not tell.
+std::string program_fingerprint();
+
+// argv joined by blanks, without what cannot change a result: --threads N, --run FOLDER, --from CHECKPOINT,
+// --until TIME (also with = between) and the folders of argv[0] and of the scene file. So the same scene
+// gives the same bytes wherever, with however many threads and in however many pieces it runs.
 std::string reproducible_command(int argc, const char* const* argv);
 
 // The fields as (name, text) in a fixed order, for writers of attributes and comment lines. Each text is one

@@ -37,6 +37,19 @@ TEST_CASE("a part file that is not committed leaves nothing, and the earlier fil
     CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
 }
 
+TEST_CASE("a part file that is kept stays under its own name, and the earlier file too") {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "gauges.csv";
+    write_text(path, "earlier");
+    {
+        PartFile file(path);
+        std::ofstream(file.part_path()) << "half";
+        file.keep();
+    }
+    CHECK(read_text(path) == "earlier");
+    CHECK(read_text(folder.path() / "gauges.csv.part") == "half");
+}
+
 TEST_CASE("a part file in a folder that does not exist is an output error that names the file and a remedy") {
     const test::TemporaryFolder folder;
     const fs::path path = folder.path() / "missing" / "gauges.csv";

@@ -17,4 +17,12 @@ TEST_CASE("durations round to the unit above where that is nearer") {
     CHECK(format_duration(3599.6) == "1 h 00 min");
 }
 
+TEST_CASE("the remaining time follows from what this process did, not from what was done before it") {
+    CHECK(remaining_text(10.0, 0.0, 0.5) == "10 s left");
+    CHECK(remaining_text(10.0, 0.5, 0.75) == "10 s left");
+    CHECK(remaining_text(10.0, 0.5, 0.5) == "estimating");
+    CHECK(remaining_text(0.0, 0.0, 0.0) == "estimating");
+    CHECK(remaining_text(10.0, 0.5, 1.0) == "0 s left");
+}
+
 TEST_CASE("a negative duration, from a clock set back, is none") { CHECK(format_duration(-5.0) == "0 s"); }

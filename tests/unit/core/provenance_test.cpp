@@ -26,6 +26,16 @@ TEST_CASE("the command leaves out the threads and the folder of the run, in both
     CHECK(command({"x", "a.toml", "--run", "c"}) == "x a.toml");
 }
 
+TEST_CASE("the command leaves out from where and until when, so that pieces of a run carry the same one") {
+    CHECK(command({"x", "a.toml", "--from", "start", "--until", "3"}) == "x a.toml");
+    CHECK(command({"x", "--from=old/checkpoint.h5", "--until=3", "a.toml"}) == "x a.toml");
+}
+
+TEST_CASE("the program's fingerprint is that of one file, and does not change while it runs") {
+    CHECK(program_fingerprint().size() == 16);
+    CHECK(program_fingerprint() == program_fingerprint());
+}
+
 TEST_CASE("a command that ends with an option without its value, or is empty, is no trouble") {
     CHECK(command({"x", "--threads"}) == "x");
     CHECK(command({"x", "--set"}) == "x --set");
