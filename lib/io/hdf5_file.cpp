@@ -31,6 +31,15 @@ Hdf5Handle array_properties(std::size_t rows, int components, Packing packing) {
     return properties;
 }
 
+// HDF5 1.10's own forms have checksums on all that is no array data.
+Hdf5Handle access_properties(Metadata metadata) {
+    Hdf5Handle properties(H5Pcreate(H5P_FILE_ACCESS));
+    if (metadata == Metadata::checksummed) {
+        H5Pset_libver_bounds(properties.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+    }
+    return properties;
+}
+
 H5T_class_t attribute_class(const Hdf5Handle& attribute) {
     const Hdf5Handle type(H5Aget_type(attribute.id()));
     return H5Tget_class(type.id());
@@ -81,10 +90,11 @@ QuietHdf5::~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, handler_, data_); }
 
 // ---- writing ----
 
-Hdf5Writer::Hdf5Writer(std::filesystem::path path) : path_(std::move(path)) {
+Hdf5Writer::Hdf5Writer(std::filesystem::path path, Metadata metadata) : path_(std::move(path)) {
     const QuietHdf5 quiet;
     const Hdf5Handle properties = timeless_properties(H5P_FILE_CREATE);
-    file_ = Hdf5Handle(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT));
+    const Hdf5Handle access = access_properties(metadata);
+    file_ = Hdf5Handle(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, properties.id(), access.id()));
     require(file_.valid(), "it cannot be created");
 }
 
@@ -158,6 +168,16 @@ void Hdf5Reader::fail(const std::string& problem) const {
     throw InputError(path_.string() + ": " + problem + "; " + remedy_);
 }
 
+void Hdf5Reader::require_format(const std::string& what, std::int64_t newest) const {
+    if (!has_attribute("/", "format") || text("/", "format") != "tidewater-" + what) {
+        fail("it is an HDF5 file but no tidewater " + what);
+    }
+    const std::int64_t version = integer("/", "format_version");
+    if (version <= newest) return;
+    fail("its format version " + std::to_string(version) + " is newer than this program's " +
+         std::to_string(newest));
+}
+
 bool Hdf5Reader::has_attribute(const std::string& object, const std::string& name) const {
     const QuietHdf5 quiet;
     return H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
@@ -219,6 +239,19 @@ Hdf5Handle Hdf5Reader::open_array(const std::string& name, int components, std::
     }
     count = shape[0] * (components > 0 ? shape[1] : 1);
     return found;
+}
+
+void Hdf5Reader::require_type(const Hdf5Handle& array, hid_t type, const std::string& name) const {
+    const QuietHdf5 quiet;
+    const Hdf5Handle found(H5Dget_type(array.id()));
+    if (H5Tequal(found.id(), type) <= 0) fail("array " + name + " holds numbers of another type");
+}
+
+void Hdf5Reader::read_array(const Hdf5Handle& array, hid_t type, const std::string& name, void* to) const {
+    const QuietHdf5 quiet;
+    if (H5Dread(array.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to) < 0) {
+        fail("array " + name + " is damaged (its checksum does not match)");
+    }
 }
 
 }  // namespace tidewater::io

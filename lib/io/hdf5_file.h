@@ -54,11 +54,17 @@ enum class Packing {
     deflate,  // shuffle and deflate level 1: for regular integers
 };
 
+// How names, shapes and attributes lie in the file.
+enum class Metadata {
+    plain,        // as every HDF5 library reads it, VTK's own too; damage may go unnoticed
+    checksummed,  // as HDF5 1.10 and later read it; damage is found
+};
+
 // One file being written. Members throw OutputError; call close() to learn that everything arrived.
 class Hdf5Writer {
 public:
     // Creates or truncates path.
-    explicit Hdf5Writer(std::filesystem::path path);
+    explicit Hdf5Writer(std::filesystem::path path, Metadata metadata = Metadata::plain);
 
     // Group names are absolute, such as "/VTKHDF"; parents first.
     void group(const std::string& name);
@@ -90,6 +96,9 @@ class Hdf5Reader {
 public:
     Hdf5Reader(std::filesystem::path path, std::string remedy);
 
+    // The root attributes `format` and `format_version` must be "tidewater-<what>" and `newest` at most.
+    void require_format(const std::string& what, std::int64_t newest) const;
+
     bool has_attribute(const std::string& object, const std::string& name) const;
     // An attribute of one value of that kind; anything else is an error.
     double number(const std::string& object, const std::string& name) const;
@@ -100,12 +109,21 @@ public:
     template <class T>
     std::vector<T> array(const std::string& name, int components = 0) const;
 
+    // The same without a copy, for large arrays: how many rows there are, then all of them to `values`. The
+    // array must have been written as numbers of type T.
+    template <class T>
+    std::size_t rows(const std::string& name, int components = 0) const;
+    template <class T>
+    void fill(const std::string& name, std::span<T> values, int components = 0) const;
+
     // Throws InputError: "<path>: <problem>; <remedy>".
     [[noreturn]] void fail(const std::string& problem) const;
 
 private:
     Hdf5Handle open_attribute(const std::string& object, const std::string& name) const;
     Hdf5Handle open_array(const std::string& name, int components, std::size_t& count) const;
+    void require_type(const Hdf5Handle& array, hid_t type, const std::string& name) const;
+    void read_array(const Hdf5Handle& array, hid_t type, const std::string& name, void* to) const;
 
     std::filesystem::path path_;
     std::string remedy_;
@@ -125,12 +143,24 @@ inline hid_t hdf5_type<std::uint8_t>() {
     return H5T_NATIVE_UINT8;
 }
 template <>
+inline hid_t hdf5_type<char>() {
+    return H5T_NATIVE_CHAR;
+}
+template <>
+inline hid_t hdf5_type<std::int32_t>() {
+    return H5T_NATIVE_INT32;
+}
+template <>
 inline hid_t hdf5_type<std::uint32_t>() {
     return H5T_NATIVE_UINT32;
 }
 template <>
 inline hid_t hdf5_type<std::int64_t>() {
     return H5T_NATIVE_INT64;
+}
+template <>
+inline hid_t hdf5_type<std::uint64_t>() {
+    return H5T_NATIVE_UINT64;
 }
 
 template <class T>
@@ -144,11 +174,27 @@ std::vector<T> Hdf5Reader::array(const std::string& name, int components) const 
     std::size_t count = 0;
     const Hdf5Handle data = open_array(name, components, count);
     std::vector<T> values(count);
-    const QuietHdf5 quiet;
-    if (count > 0 && H5Dread(data.id(), hdf5_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-        fail("array " + name + " is damaged (its checksum does not match)");
-    }
+    if (count > 0) read_array(data, hdf5_type<T>(), name, values.data());
     return values;
+}
+
+template <class T>
+std::size_t Hdf5Reader::rows(const std::string& name, int components) const {
+    std::size_t count = 0;
+    const Hdf5Handle data = open_array(name, components, count);
+    require_type(data, hdf5_type<T>(), name);
+    return count / (components > 0 ? static_cast<std::size_t>(components) : 1);
+}
+
+template <class T>
+void Hdf5Reader::fill(const std::string& name, std::span<T> values, int components) const {
+    std::size_t count = 0;
+    const Hdf5Handle data = open_array(name, components, count);
+    require_type(data, hdf5_type<T>(), name);
+    if (count != values.size())
+        fail("array " + name + " holds " + std::to_string(count) + " values instead of " +
+             std::to_string(values.size()));
+    if (count > 0) read_array(data, hdf5_type<T>(), name, values.data());
 }
 
 }  // namespace tidewater::io

@@ -19,7 +19,6 @@
 namespace tidewater::io {
 namespace {
 
-constexpr const char* format_name = "tidewater-snapshot";
 constexpr std::uint8_t vtk_poly_vertex = 2;
 
 std::string column_path(const char* name) { return std::string("/VTKHDF/PointData/") + name; }
@@ -49,7 +48,7 @@ void write_cell(Hdf5Writer& file, std::size_t particle_count) {
 }
 
 void write_header(Hdf5Writer& file, const Snapshot& snapshot, const Provenance& provenance) {
-    file.attribute("/", "format", format_name);
+    file.attribute("/", "format", "tidewater-snapshot");
     file.attribute("/", "format_version", std::array{snapshot_format_version});
     file.attribute("/", "time", snapshot.time);
     file.attribute("/", "dimension", std::array<std::int64_t, 1>{snapshot.dimension});
@@ -58,14 +57,7 @@ void write_header(Hdf5Writer& file, const Snapshot& snapshot, const Provenance& 
 
 Hdf5Reader open_snapshot(const std::filesystem::path& path) {
     Hdf5Reader file(path, "run tidewater-simulate again");
-    if (!file.has_attribute("/", "format") || file.text("/", "format") != format_name) {
-        file.fail("it is an HDF5 file but no tidewater snapshot");
-    }
-    const std::int64_t version = file.integer("/", "format_version");
-    if (version > snapshot_format_version) {
-        file.fail("its format version " + std::to_string(version) + " is newer than this program's " +
-                  std::to_string(snapshot_format_version));
-    }
+    file.require_format("snapshot", snapshot_format_version);
     return file;
 }
 

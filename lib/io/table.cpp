@@ -74,12 +74,29 @@ void TableWriter::append_cells(std::span<const std::string> row) {
     if (row.size() != column_count_)
         throw std::invalid_argument("TableWriter: a row needs one value per column");
     stream_ << join(row) << '\n' << std::flush;
+    require_written();
+}
+
+std::string TableWriter::text() {
+    stream_.flush();
+    require_written();
+    return read_text(part_.part_path());
+}
+
+void TableWriter::resume(const std::string& text) {
+    stream_.close();
+    stream_.open(part_.part_path(), std::ios::binary | std::ios::trunc);
+    stream_ << text << std::flush;
+    require_written();
+}
+
+void TableWriter::require_written() const {
     if (!stream_) throw OutputError(path_.string() + ": writing failed; free disk space and run again");
 }
 
 void TableWriter::finish() {
     stream_.close();
-    if (!stream_) throw OutputError(path_.string() + ": writing failed; free disk space and run again");
+    require_written();
     part_.commit();
 }
 

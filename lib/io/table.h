@@ -35,9 +35,18 @@ public:
     // For tables with words among the numbers; cells are written as they are.
     void append_cells(std::span<const std::string> row);
 
+    // The file so far.
+    std::string text();
+    // Replaces the file so far by a text() that an earlier process got, to go on behind it.
+    void resume(const std::string& text);
+
     void finish();
+    // Leaves what there is under <path>.part.
+    void keep_part() { part_.keep(); }
 
 private:
+    void require_written() const;
+
     std::filesystem::path path_;
     PartFile part_;
     std::ofstream stream_;

@@ -49,6 +49,34 @@ TEST_CASE("grows under its .part name, row by row, and leaves nothing if it is n
     CHECK(folder.file_count() == 0);
 }
 
+TEST_CASE("a table that goes on behind an earlier one's text is the same as one written at once") {
+    const TemporaryFolder folder;
+    TableWriter whole(folder / "whole.csv", test_provenance(), {"time", "x=2"});
+    whole.append(std::array{0.0, 0.1});
+    const std::string text = whole.text();
+    whole.append(std::array{1.0, 0.2});
+    CHECK(whole.text().size() > text.size());
+    whole.finish();
+
+    TableWriter pieces(folder / "pieces.csv", test_provenance(), {"time", "x=2"});
+    pieces.append(std::array{7.0, 7.0});
+    pieces.resume(text);
+    CHECK(pieces.text() == text);
+    pieces.append(std::array{1.0, 0.2});
+    pieces.finish();
+    CHECK(read_text(folder / "pieces.csv") == read_text(folder / "whole.csv"));
+}
+
+TEST_CASE("a part that is kept can be read") {
+    const TemporaryFolder folder;
+    {
+        TableWriter writer(folder / "a.csv", test_provenance(), {"time"});
+        writer.append(std::array{1.0});
+        writer.keep_part();
+    }
+    CHECK(read_table(folder / "a.csv.part").row_count() == 1);
+}
+
 TEST_CASE("a table may have no rows") {
     const TemporaryFolder folder;
     write_text(folder / "a.csv", "# a comment\n\ntime,x=2\n");
