@@ -199,6 +199,13 @@ constexpr std::array keys{
         .range = {.least = 0.0, .most = 1.0, .open = true},
         .stages = by_simulate,
         .help = "share of a cell that a wave or a particle may cross in one step"},
+    Key{.name = "simulate.checkpoint_interval",
+        .unit = "s",
+        .member = member<&S::simulate, &S::Simulate::checkpoint_interval>(),
+        .range = not_negative,
+        .stages = by_simulate,
+        .changes_results = false,
+        .help = "of wall time between checkpoints, from which a stopped run goes on; 0: only when stopped"},
 
     Key{.name = "postprocess.gauges",
         .unit = "m",

@@ -65,6 +65,7 @@ struct Key {
     bool per_dimension = false;  // a list with one number per dimension
     bool only_3d = false;
     unsigned stages = by_all;  // that read it
+    bool changes_results = true;
     std::string_view help;
 
     std::string_view section() const;  // "domain"; empty for title, dimension, ...

@@ -24,11 +24,12 @@ std::string plain_line(const Key& key, const Scene& scene) {
     return std::string(key.name) + " = " + value_text(key, scene) + "\n";
 }
 
-// The keys of `stages` that apply to the scene, one "section.key = value" a line.
+// The keys of `stages` that apply to the scene and change results, one "section.key = value" a line.
 std::string plain_text(const Scene& scene, unsigned stages) {
     std::string text;
     for (const Key& key : all_keys()) {
-        if ((key.stages & stages) != 0 && key.applies(scene)) text += plain_line(key, scene);
+        if ((key.stages & stages) != 0 && key.changes_results && key.applies(scene))
+            text += plain_line(key, scene);
     }
     return text;
 }

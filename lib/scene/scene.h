@@ -64,6 +64,7 @@ struct Scene {
         std::vector<double> gauges;      // x of each gauge, m; in 3D on the middle of the tank's width
         Precision precision = Precision::single_precision;
         double cfl = 0.5;
+        double checkpoint_interval = 300.0;  // s of wall time; 0: only when stopped
     } simulate;
 
     struct Postprocess {
@@ -103,12 +104,13 @@ std::vector<std::string> scene_warnings(const Scene& scene);
 // same Scene, and to the same text.
 std::string resolved_text(const Scene& scene);
 
-// The lines of resolved_text that `stage` reads, without comments: what has to change for the stage to run
-// again. Every stage reads what the stages before it do not already decide for it.
+// The lines of resolved_text that `stage` reads, without comments and without keys that change no result:
+// what has to change for the stage to run again. Every stage reads what the stages before it do not already
+// decide for it.
 std::string stage_part(const Scene& scene, Stage stage);
 
-// Fingerprint of all keys that `stage` or a stage before it reads, for provenance: results keep their bytes
-// when a key changes that only later stages read.
+// Fingerprint of all keys that change the results of `stage` or of a stage before it, for provenance: results
+// keep their bytes when a key changes that only later stages read.
 std::string scene_hash(const Scene& scene, Stage stage);
 
 // The reference of all keys: name, type, unit, default, valid range, effect, stages, help.

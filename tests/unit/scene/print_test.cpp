@@ -82,6 +82,13 @@ TEST_CASE("a change reaches the parts of the stages that read the key, and no ot
     CHECK(changed_parts("domain.cell_size=0.02") == "gsp");
 }
 
+TEST_CASE("a key that changes no result changes neither part nor hash, but is printed") {
+    CHECK(changed_parts("simulate.checkpoint_interval=7") == "");
+    const Scene scene = read_text_as_scene(block_scene, {"simulate.checkpoint_interval=7"});
+    CHECK(same(scene, read_text_as_scene(block_scene)));
+    CHECK(resolved_text(scene).find("checkpoint_interval = 7 ") != std::string::npos);
+}
+
 TEST_CASE("the same value in other words changes no part") {
     CHECK(changed_parts("domain.cell_size=1e-2") == "");
     CHECK(changed_parts("domain.gravity=9.81") == "");
