@@ -29,6 +29,18 @@ quietly() {
     return "$code"
 }
 
+# passing_signals_on COMMAND... runs it to its end, which SIGTERM and SIGINT ask it to come to; its exit code.
+passing_signals_on() {
+    local code=0 child
+    "$@" &
+    child=$!
+    # shellcheck disable=SC2064 # this child
+    trap "kill -TERM $child 2>/dev/null" INT TERM
+    while wait "$child" && code=0 || code=$?; kill -0 "$child" 2>/dev/null; do :; done
+    trap - INT TERM
+    return "$code"
+}
+
 missing_packages() {
     local package
     while read -r package; do

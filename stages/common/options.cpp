@@ -34,13 +34,26 @@ void declare(CLI::App& app, StageOptions& options, std::string& part) {
         ->type_name("STAGE");
 }
 
+void declare_restart(CLI::App& app, StageOptions& options) {
+    app.add_option("--from", options.from,
+                   "\"start\": from the start, whatever an unfinished run left; else a checkpoint of this "
+                   "scene to go on from; default: <run>/simulate/checkpoint.h5 where a run was stopped")
+        ->type_name("start|CHECKPOINT");
+    app.add_option("--until", options.until,
+                   "stop after the first row or frame at or after this simulated time, s, with a checkpoint")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("TIME");
+}
+
 }  // namespace
 
-std::optional<StageOptions> parse_options(int argc, const char* const* argv, std::string_view description) {
+std::optional<StageOptions> parse_options(int argc, const char* const* argv, scene::Stage stage,
+                                          std::string_view description) {
     CLI::App app(std::string(description), std::filesystem::path(argv[0]).filename().string());
     StageOptions options;
     std::string part;
     declare(app, options, part);
+    if (stage == scene::Stage::simulate) declare_restart(app, options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answered) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,10 +20,15 @@ struct StageOptions {
     bool check = false;
     bool print_scene = false;
     std::optional<scene::Stage> print_part;
+
+    // Of simulate alone.
+    std::string from;  // "start", or the checkpoint to go on from; empty: the run's own if there is one
+    double until = std::numeric_limits<double>::infinity();  // s, simulated
 };
 
 // Empty after --help, --help-scene and --version, which are answered on standard output.
 // Throws SceneError with what is wrong with the command line.
-std::optional<StageOptions> parse_options(int argc, const char* const* argv, std::string_view description);
+std::optional<StageOptions> parse_options(int argc, const char* const* argv, scene::Stage stage,
+                                          std::string_view description);
 
 }  // namespace tidewater

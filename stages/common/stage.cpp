@@ -67,7 +67,9 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                                         .version = program_version(),
                                         .command = command,
                                         .scene_hash = scene::scene_hash(scene, program.stage),
-                                        .seed = scene.seed}};
+                                        .seed = scene.seed},
+                         .from = options.from,
+                         .until = options.until};
     say(program, "writing " + context.folder.string());
     make_output_folder(context.folder);
     const FolderLock lock(context.folder);
@@ -79,7 +81,7 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
 
 void read_and_run(const StageProgram& program, int argc, const char* const* argv,
                   std::string_view description) {
-    const auto options = parse_options(argc, argv, description);
+    const auto options = parse_options(argc, argv, program.stage, description);
     if (!options) return finish_printing();
     const scene::Scene scene = read(*options);
     if (!options->print_part) {
@@ -100,6 +102,18 @@ void write_resolved_scene(const StageContext& context) {
             text += "# " + name + ": " + value + "\n";
     }
     write_text(context.folder / "scene.toml", text + "\n" + scene::resolved_text(context.scene));
+}
+
+std::string first_difference(const std::string& there, const std::string& here) {
+    if (there == here) return {};
+    std::istringstream their_lines(there), our_lines(here);
+    std::string their, our;
+    while (their == our) {
+        their = our = "nothing";
+        std::getline(their_lines, their);
+        std::getline(our_lines, our);
+    }
+    return their + " there, " + our + " here";
 }
 
 int run_stage(int argc, const char* const* argv, scene::Stage stage, std::string_view description,

@@ -8,13 +8,15 @@
 //     tidewater-<stage> SCENE [--set KEY=VALUE]... [--run FOLDER] [--threads N]    runs the stage
 //     tidewater-<stage> SCENE --check | --print-scene | --print-part STAGE         only looks at the scene
 //     tidewater-<stage> --help | --help-scene | --version
+//     tidewater-simulate SCENE [--from start|CHECKPOINT] [--until TIME]
 //
 // A line on standard error for each problem, "tidewater-<stage>: <what, where, and what to do>", and the exit
-// code of core/error.h. Command-line misuse counts as a scene error (2); what is no Error of ours ends
-// with 1. Test: tests/pipeline/command_line_test.sh
+// code of core/error.h; 128 + the signal for a simulate that was stopped by one. Command-line misuse counts
+// as a scene error (2); what is no Error of ours ends with 1. Test: tests/pipeline/command_line_test.sh
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "core/provenance.h"
@@ -27,12 +29,19 @@ struct StageContext {
     std::filesystem::path run;     // the folder of all stages' results
     std::filesystem::path folder;  // run/<stage>; exists and can be written to
     Provenance provenance;
+
+    std::string from;    // simulate's options; see StageOptions
+    double until = 0.0;  // s
 };
 
 // Writes context.folder/scene.toml: the resolved scene after comments with program, version and command.
 // Every stage's work calls it once it has read its inputs and removed the results of an earlier run, before
 // it writes its own, so that no results lie beside another run's scene.
 void write_resolved_scene(const StageContext& context);
+
+// What two parts of scenes, as stage_part gives them, first differ in: "block.angle = 5 there, block.angle =
+// 0 here"; empty if in nothing.
+std::string first_difference(const std::string& there, const std::string& here);
 
 // Runs `work` between creating context.folder and saying how long it took. Returns the exit code for main.
 int run_stage(int argc, const char* const* argv, scene::Stage stage, std::string_view description,

@@ -1,28 +1,15 @@
 #include "earlier.h"
 
 #include <regex>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "common/stage.h"
 #include "core/error.h"
 
 namespace tidewater::postprocess {
 namespace {
-
-// "block.angle = 5 there, block.angle = 0 here"; empty if there is no difference.
-std::string first_difference(const std::string& there, const std::string& here) {
-    if (there == here) return {};
-    std::istringstream their_lines(there), our_lines(here);
-    std::string their, our;
-    while (their == our) {
-        their = our = "nothing";
-        std::getline(their_lines, their);
-        std::getline(our_lines, our);
-    }
-    return their + " there, " + our + " here";
-}
 
 void require_removal(const std::filesystem::path& path, const std::error_code& error) {
     if (error) {

@@ -1,5 +1,5 @@
 // The run's log: lines to standard error and to <folder>/log, which gets its name when the run ends, well or
-// not.
+// not. A run that goes on from a checkpoint goes on with the log too.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,13 @@ namespace tidewater {
 
 class Log {
 public:
-    explicit Log(const std::filesystem::path& folder);
+    Log(const std::filesystem::path& folder, bool go_on);
     void line(const std::string& text);
     void quiet_line(const std::string& text);  // to the file alone
     void finish();
 
 private:
+    std::string earlier_;  // read before the part is begun anew
     PartFile part_;
     std::ofstream stream_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "common/tank.h"
 #include "core/error.h"
@@ -51,23 +52,38 @@ bool near_place(const mpm::Layout<D>& layout, const mpm::Index<D>& block, const 
     return true;
 }
 
-}  // namespace
+void remove_file(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::remove(path, error);
+    if (!error) return;
+    throw OutputError(path.string() + ": cannot be removed: " + error.message() + "; remove it by hand");
+}
 
-void remove_old_records(const std::filesystem::path& folder) {
-    const std::regex ours(R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|ledger\.csv|log)(\.part)?)");
+// Removes what simulate writes, whole or as a part, but for the files with these names.
+void remove_all_but(const std::filesystem::path& folder, const std::set<std::string>& kept) {
+    const std::regex ours(
+        R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|ledger\.csv|checkpoint\.h5|log)(\.part)?)");
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (std::regex_match(entry.path().filename().string(), ours)) old.push_back(entry.path());
+        const std::string name = entry.path().filename().string();
+        if (std::regex_match(name, ours) && !kept.contains(name)) old.push_back(entry.path());
     }
-    // First the one that says that the run is whole.
-    std::partition(old.begin(), old.end(), [](const auto& path) { return path.filename() == "ledger.csv"; });
-    for (const auto& path : old) {
-        std::error_code error;
-        std::filesystem::remove(path, error);
-        if (error)
-            throw OutputError(path.string() + ": cannot be removed: " + error.message() +
-                              "; remove it by hand");
-    }
+    // First what says that the run is whole, then what says that it can go on: a process that is killed in
+    // between leaves neither without the rest.
+    const auto last = std::partition(old.begin(), old.end(),
+                                     [](const auto& path) { return path.filename() == "ledger.csv"; });
+    std::partition(last, old.end(), [](const auto& path) { return path.filename() == "checkpoint.h5"; });
+    for (const auto& path : old) remove_file(path);
+}
+
+}  // namespace
+
+void remove_old_records(const std::filesystem::path& folder) { remove_all_but(folder, {}); }
+
+void remove_later_records(const std::filesystem::path& folder, std::size_t frames) {
+    std::set<std::string> kept{"checkpoint.h5", "log", "log.part"};
+    for (std::size_t frame = 0; frame < frames; ++frame) kept.insert(io::snapshot_name(frame));
+    remove_all_but(folder, kept);
 }
 
 template <int D, class Real>
@@ -151,6 +167,32 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     row.insert(row.end(), {s.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
                            boundary_work, energy_});
     ledger_.append(row);
+}
+
+template <int D, class Real>
+void Records<D, Real>::store(RunState& run) {
+    run.frame_times = frame_times_;
+    run.gauges = gauges_.text();
+    run.ledger = ledger_.text();
+    run.start_energy = start_energy_;
+    run.highest_energy = highest_energy_;
+}
+
+template <int D, class Real>
+void Records<D, Real>::resume(const RunState& run) {
+    frame_times_ = run.frame_times;
+    gauges_.resume(run.gauges);
+    ledger_.resume(run.ledger);
+    start_energy_ = run.start_energy;
+    highest_energy_ = run.highest_energy;
+    first_row_ = false;
+    io::write_series(folder_, frame_times_);
+}
+
+template <int D, class Real>
+void Records<D, Real>::keep_parts() {
+    gauges_.keep_part();
+    ledger_.keep_part();
 }
 
 template <int D, class Real>

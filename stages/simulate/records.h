@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "analysis/surface.h"
+#include "checkpoint.h"
 #include "core/provenance.h"
 #include "io/table.h"
 #include "mpm/ledger.h"
@@ -14,6 +15,10 @@ namespace tidewater {
 // Removes the results of an earlier run, so that they cannot be taken for this one's.
 void remove_old_records(const std::filesystem::path& folder);
 
+// Removes only what a run that goes on from a checkpoint with so many frames writes again: all but these
+// frames, the checkpoint and the log.
+void remove_later_records(const std::filesystem::path& folder, std::size_t frames);
+
 template <int D, class Real>
 class Records {
 public:
@@ -22,8 +27,15 @@ public:
     void write_frame(mpm::Simulation<D, Real>& simulation);
     void append_row(const mpm::Simulation<D, Real>& simulation);  // to gauges.csv and ledger.csv
 
+    // What a checkpoint needs of the records, and how to go on behind it.
+    void store(RunState& run);
+    void resume(const RunState& run);
+
     // Gives the tables their names, ledger.csv last: when it exists, the run is whole.
     void finish();
+
+    // Leaves the tables so far, under the names of their parts, to look at.
+    void keep_parts();
 
     std::size_t frame_count() const { return frame_times_.size(); }
     double start_energy() const { return start_energy_; }

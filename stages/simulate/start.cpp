@@ -1,7 +1,8 @@
 #include "start.h"
 
+#include <array>
 #include <cmath>
-#include <cstdio>
+#include <span>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -66,7 +67,20 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
     return start;
 }
 
+template <int D>
+std::string start_fingerprint(const mpm::Start<D>& start) {
+    std::uint64_t hash = hash_start;
+    for (const auto& body : start.bodies) {
+        const std::array numbers{static_cast<double>(body.material), body.mass, body.volume, body.surface};
+        hash = hash_bytes(std::as_bytes(std::span(numbers)), hash);
+        hash = hash_bytes(std::as_bytes(std::span(body.points)), hash);
+    }
+    return hash_hex(hash);
+}
+
 template mpm::Start<2> make_start<2>(const scene::Scene&, const std::filesystem::path&);
 template mpm::Start<3> make_start<3>(const scene::Scene&, const std::filesystem::path&);
+template std::string start_fingerprint(const mpm::Start<2>&);
+template std::string start_fingerprint(const mpm::Start<3>&);
 
 }  // namespace tidewater

@@ -14,4 +14,8 @@ namespace tidewater {
 template <int D>
 mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path& file);
 
+// Of all bodies and their particles: what a run begins with beside its scene.
+template <int D>
+std::string start_fingerprint(const mpm::Start<D>& start);
+
 }  // namespace tidewater

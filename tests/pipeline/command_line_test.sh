@@ -54,6 +54,16 @@ done
 
 program=$bin/tidewater-simulate
 
+case_named "only simulate takes --from and --until, a time from 0 on"
+run "$program" --help
+expect_line "--from start|CHECKPOINT"
+expect_line "--until TIME"
+run "$program" "$tiny" --until -1
+expect_code 2
+expect_line "--until"
+run "$bin/tidewater-geometry" "$tiny" --until 1
+expect_code 2
+
 case_named "all problems of a scene are told at once, with exit code 2 and nothing written"
 cat >bad.toml <<'TOML'
 effects = ["water", "rigd"]

@@ -51,6 +51,23 @@ case_named "tools/test with an unknown option ends with 2"
 run bash "$project/tools/test" --what
 expect_code 2
 
+case_named "a signal to a script that passes it on lets the command come to its own end, with its exit code"
+for signal in TERM INT; do
+    env --default-signal=INT bash -c "source '$work/tools/common.sh'; passing_signals_on bash -c \
+        'trap \"sleep 0.2; echo ended well; exit 7\" TERM; echo >\"$work/ready\"; while :; do sleep 0.05; done'" \
+        >"$work/said" 2>&1 &
+    script=$!
+    for _ in {1..200}; do [[ ! -e $work/ready ]] && sleep 0.05; done
+    kill "-$signal" "$script"
+    code=0
+    wait "$script" || code=$?
+    expect_same "$code" 7
+    expect_same "$(cat "$work/said")" "ended well"
+    rm "$work/ready"
+done
+run bash -c "source '$work/tools/common.sh'; passing_signals_on true && passing_signals_on bash -c 'exit 3'"
+expect_code 3
+
 case_named "nothing is installed where every package is"
 stub dpkg-query 'printf installed'
 stub apt-get "echo \"\$@\" >>'$work/apt.log'"

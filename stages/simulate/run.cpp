@@ -1,0 +1,140 @@
+#include "run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "format.h"
+#include "stop.h"
+
+namespace tidewater {
+namespace {
+
+template <int D, class Real>
+std::string time_step_line(const mpm::Simulation<D, Real>& s) {
+    const auto& speeds = s.speeds;
+    const double sum = speeds.sound + speeds.particle;
+    const double step = mpm::stable_time_step(s);
+    if (sum == 0.0 || step < s.parameters.cfl * s.grid.layout.cell_size / sum)
+        return format("dt %.3g s, limited by gravity (a fall from rest)", step);
+    return format("dt %.3g s = %g x %g m / (sound %.4g m/s + particles %.3g m/s), limited by %s (%.0f %%)",
+                  step, s.parameters.cfl, s.grid.layout.cell_size, speeds.sound, speeds.particle,
+                  speeds.sound >= speeds.particle ? "the sound speed" : "the fastest particle",
+                  100.0 * std::max(speeds.sound, speeds.particle) / sum);
+}
+
+// Advances to exactly `target` by one step of several equal ones.
+template <int D, class Real>
+void step_towards(mpm::Simulation<D, Real>& s, double target) {
+    const double left = target - s.time;
+    const double steps = std::max(1.0, std::ceil(left / mpm::stable_time_step(s)));
+    mpm::advance(s, left / steps);
+    if (steps == 1.0) s.time = target;
+}
+
+}  // namespace
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+template <int D, class Real>
+Run<D, Real>::Run(const StageContext& context, mpm::Simulation<D, Real>& simulation, Checkpoint& checkpoint,
+                  Records<D, Real>& records, Log& log, const RunState& earlier, Clock::time_point started)
+    : simulate_(context.scene.simulate),
+      until_(context.until),
+      s_(simulation),
+      checkpoint_(checkpoint),
+      records_(records),
+      log_(log),
+      rows_(simulate_.gauge_interval, earlier.rows),
+      frames_(simulate_.snapshot_interval, earlier.frames),
+      progress_("simulate", s_.time / simulate_.end_time),
+      wrote_(earlier.begun()),
+      earlier_seconds_(earlier.seconds),
+      started_(started) {}
+
+template <int D, class Real>
+bool Run<D, Real>::to_end() {
+    const StopWish wish;
+    const double end = rounded(simulate_.end_time);
+    for (;;) {
+        const bool ended = s_.time >= end;
+        write_due(ended);
+        if (ended) return true;
+        // Everything of this time is written: from here on, a run that was loaded does the same as this one.
+        if (wish.signal() != 0) stop(wish.signal());
+        if (wrote_ && s_.time >= until_) {
+            save();
+            return false;
+        }
+        save_if_due();
+        wrote_ = false;
+        progress_.update(s_.time / end, format("t = %.3f s of %g s", s_.time, end));
+        step_towards(s_, std::min({frames_.next(), rows_.next(), end}));
+    }
+}
+
+template <int D, class Real>
+void Run<D, Real>::write_due(bool ended) {
+    const bool row = rows_.due(s_.time), frame = frames_.due(s_.time);
+    if (row || ended) records_.append_row(s_);
+    if (frame || ended) {
+        records_.write_frame(s_);
+        say(format("t %.4g s, step %ld, frame %zu: ", s_.time, s_.step, records_.frame_count() - 1) +
+            time_step_line(s_));
+    }
+    wrote_ = wrote_ || row || frame;
+}
+
+// A checkpoint that does not fit on the disk is no reason to stop: the one before is still there.
+template <int D, class Real>
+void Run<D, Real>::save_if_due() {
+    const double interval = simulate_.checkpoint_interval;
+    if (interval == 0.0 || seconds_since(last_save_) < interval) return;
+    try {
+        save();
+    } catch (const OutputError& error) {
+        say(std::string("warning: ") + error.what() +
+            "; meanwhile the run goes on, with the checkpoint before");
+        last_save_ = Clock::now();
+    }
+}
+
+template <int D, class Real>
+void Run<D, Real>::save() {
+    RunState run;
+    run.seconds = earlier_seconds_ + seconds_since(started_);
+    run.rows = rows_.past();
+    run.frames = frames_.past();
+    records_.store(run);
+    checkpoint_.save(s_, run);
+    last_save_ = Clock::now();
+}
+
+template <int D, class Real>
+void Run<D, Real>::stop(int signal) {
+    progress_.finish();
+    std::string line = "stopped by " + std::string(signal_name(signal)) + " at " +
+                       format("t = %.6g s, step %ld", s_.time, s_.step);
+    try {
+        save();
+    } catch (const OutputError& error) {
+        line += ", but " + std::string(error.what());
+    }
+    records_.keep_parts();
+    throw Error(static_cast<ExitCode>(128 + signal), line);
+}
+
+template <int D, class Real>
+void Run<D, Real>::say(const std::string& line) {
+    progress_.finish();
+    log_.line(line);
+}
+
+template class Run<2, float>;
+template class Run<2, double>;
+template class Run<3, float>;
+template class Run<3, double>;
+
+}  // namespace tidewater

@@ -1,0 +1,49 @@
+// A simulation on its way from the start or a checkpoint to the end, to --until or to a signal.
+#pragma once
+
+#include <chrono>
+
+#include "checkpoint.h"
+#include "core/progress.h"
+#include "log.h"
+#include "records.h"
+#include "schedule.h"
+
+namespace tidewater {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start);
+
+template <int D, class Real>
+class Run {
+public:
+    // `earlier` is what a checkpoint held; wall time counts from `started` on.
+    Run(const StageContext& context, mpm::Simulation<D, Real>& simulation, Checkpoint& checkpoint,
+        Records<D, Real>& records, Log& log, const RunState& earlier, Clock::time_point started);
+
+    // False if --until ended it. Throws an Error with the exit code 128 + the signal if that did.
+    bool to_end();
+
+private:
+    void write_due(bool ended);
+    void save_if_due();
+    void save();
+    [[noreturn]] void stop(int signal);
+    void say(const std::string& line);
+
+    const scene::Scene::Simulate& simulate_;
+    double until_;
+    mpm::Simulation<D, Real>& s_;
+    Checkpoint& checkpoint_;
+    Records<D, Real>& records_;
+    Log& log_;
+    Schedule rows_, frames_;
+    Progress progress_;
+    bool wrote_;  // what was due at this time, now or before the checkpoint
+    double earlier_seconds_;
+    Clock::time_point started_;
+    Clock::time_point last_save_ = Clock::now();
+};
+
+}  // namespace tidewater
