@@ -5,9 +5,9 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/progress.h"
+#include "format.h"
 #include "io/columns.h"
 #include "io/snapshot.h"
-#include "io/text.h"
 #include "mpm/state.h"
 
 namespace tidewater {
@@ -20,6 +20,8 @@ io::Hdf5Reader open_checkpoint(const std::filesystem::path& path) {
     file.require_format("checkpoint", format_version);
     return file;
 }
+
+std::string time_text(double time) { return format("t = %.6g s", time); }
 
 double seconds_in(const io::Hdf5Reader& file) {
     double seconds = 0.0;
@@ -59,8 +61,7 @@ std::filesystem::path Checkpoint::find() {
     const io::Hdf5Reader file = open_checkpoint(path);
     const std::string other = difference(file);
     if (other.empty()) {
-        note_ =
-            "going on from " + path.string() + ", t = " + io::format_number(file.number("/", "time")) + " s";
+        note_ = "going on from " + path.string() + ", " + time_text(file.number("/", "time"));
         note_other_program(file);
         return path;
     }
@@ -125,8 +126,7 @@ void Checkpoint::remove() const {
 
 std::string Checkpoint::last_good() const {
     if (last_time_ < 0.0) return {};
-    return "; the same command goes on from " + path_.string() + ", t = " + io::format_number(last_time_) +
-           " s";
+    return "; the same command goes on from " + path_.string() + ", " + time_text(last_time_);
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                           \
