@@ -1,6 +1,6 @@
 // Sorting particles into the blocks of the grid. Needed at the start and whenever a particle may have left
 // its block by more than sorting_margin; stable, so that the order of particles depends on their motion
-// alone.
+// alone. Test: tests/unit/mpm/binning_test.cpp.
 #pragma once
 
 #include <span>
@@ -10,22 +10,18 @@
 
 namespace tidewater::mpm {
 
-// Fills the columns position, velocity (zero), gradient (zero) and id with particles at these points (m), ids
-// counting up from first_id, and returns the block index of each.
-// Throws NumericsError if a point lies outside of the box.
+// Makes particles at these points (m) and sorts them into the blocks of the grid, which holds nothing yet.
+//     points      [body][particle]
+//     bodies      [body] position, id and begin are written; columns that are filled already are sorted along
+// Ids count up through all bodies. Throws NumericsError if a point lies outside of the box.
 template <int D, class Real>
-std::vector<int> place(const Layout<D>& layout, const std::vector<Vector<D, double>>& points,
-                       std::uint32_t first_id, Particles<D, Real>& particles);
+void place(const std::vector<std::span<const Vector<D, double>>>& points, Grid<D, Real>& grid,
+           std::span<Particles<D, Real>> bodies);
 
-// Moves every particle's position into the frame of the block that it is in now, and returns each one's block
-// index. Throws NumericsError naming the particle if one is more than a cell beyond a wall, or nowhere (NaN).
+// Sorts particles that moved by less than a block since they were sorted into the blocks that they are in
+// now; nodes keep their values. Throws NumericsError naming the particle if one is more than a cell beyond a
+// wall.
 template <int D, class Real>
-std::vector<int> follow(const Grid<D, Real>& grid, Particles<D, Real>& particles);
-
-// Activates the blocks that hold particles of any body and sorts each body's columns by block.
-//     block_of   [body][particle] the block index, as place or follow returned it
-template <int D, class Real>
-void sort_into_blocks(Grid<D, Real>& grid, std::span<Particles<D, Real>> bodies,
-                      const std::vector<std::vector<int>>& block_of);
+void sort_into_blocks(Grid<D, Real>& grid, std::span<Particles<D, Real>> bodies);
 
 }  // namespace tidewater::mpm

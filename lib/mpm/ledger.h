@@ -1,8 +1,10 @@
 // What a run has of each conserved thing, and where it came from or went.
 //
 //     momentum(t) = momentum(0) + gravity impulse + wall impulse     closes to rounding
-//     kinetic + gravitational + elastic                              never grows; it falls by the scheme's
-//     loss
+//     kinetic + gravitational + elastic                              falls by the scheme's loss
+//
+// Velocities have the forces of the coming step already (mpm/simulation.h), so kinetic energy runs ahead of
+// the others by its change in half a step: the sum may seem to grow by that much, and no more.
 //
 // Energies in J (per metre of width in 2D). Kinetic energy counts what APIC keeps in C: ½ m (|v|² +
 // (Δx²/4)|C|²). Gravitational energy is m g z from z = 0. Sums in double, particle by particle within blocks,

@@ -1,12 +1,22 @@
 // Particles of one kind, column by column, sorted by block.
+//
+// What a particle keeps between steps, in bytes for `float` in 2D / 3D:
+//     water    position 8 / 12, j 4, id 4                       16 / 20
+//     ice      position 8 / 12, strain 12 / 24, id 4            24 / 40, elastic
+//              + alpha 4                                        28 / 44, with fracture
+//     rigid    position 8 / 12, offset 8 / 12, id 4             20 / 28
+// Velocities and their gradients live on the grid between steps; mpm/motion.h reads them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/parallel.h"
+#include "mpm/batch.h"
 #include "mpm/grid.h"
+#include "mpm/position.h"
 
 namespace tidewater::mpm {
 
@@ -18,48 +28,65 @@ struct Particles {
     double mass = 0.0;    // of each, kg (in 2D per metre of width)
     double volume = 0.0;  // V0 of each, m³ (m² in 2D)
 
-    std::vector<Vector<D, Real>> position;  // cells, relative to the first node of the particle's block
-    std::vector<Vector<D, Real>> velocity;  // m/s
-    std::vector<Matrix<D, Real>> gradient;  // velocity per cell of distance, Δx C, m/s
-    std::vector<Real> j;                    // J − 1; water
-    std::vector<Vector<D, Real>> offset;    // from the body's centre of mass in its own axes, m; rigid
-    std::vector<std::uint32_t> id;          // kept from the start, whatever the order
+    std::array<std::vector<Stored<Real>>, D> position;  // cells, relative to the first node of the block
+    std::vector<Real> j;                                // J − 1; water
+    std::array<std::vector<Real>, static_cast<std::size_t>(symmetric_size<D>)> strain;  // ε_b = b − I; ice
+    std::vector<Real> alpha;              // α; ice with fracture
+    std::vector<Vector<D, Real>> offset;  // from the body's centre of mass in its own axes, m; rigid
+    std::vector<std::uint32_t> id;        // kept from the start, whatever the order
 
     std::vector<std::uint32_t> begin;  // [particle block] the first particle; one entry more at the end
 
-    std::size_t size() const { return position.size(); }
+    std::size_t size() const { return id.size(); }
 };
 
-// Position in the box, m, of a particle in `block`.
+// Calls visit(name, column) for every column that has one entry per particle, also empty ones.
+template <class Particles, class Visit>
+void for_each_column(Particles& particles, const Visit& visit) {
+    static constexpr const char* axes[] = {"x", "y", "z"};
+    const std::size_t dimension = particles.position.size();
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+        visit(std::string("position_") + axes[axis == dimension - 1 ? 2 : axis], particles.position[axis]);
+    }
+    visit(std::string("j"), particles.j);
+    for (std::size_t c = 0; c < particles.strain.size(); ++c) {
+        visit("strain_" + std::to_string(c), particles.strain[c]);
+    }
+    visit(std::string("alpha"), particles.alpha);
+    visit(std::string("offset"), particles.offset);
+    visit(std::string("id"), particles.id);
+}
+
+// A particle's position in its block, cells.
+template <int D, class Real>
+Vector<D, double> local_position(const Particles<D, Real>& particles, std::size_t p) {
+    Vector<D, double> cells;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        cells[static_cast<int>(axis)] = cells_of(particles.position[axis][p]);
+    }
+    return cells;
+}
+
+// A particle's position, m, as seen from node `origin` (of the box's corner by default).
 template <int D, class Real>
 Vector<D, double> global_position(const Layout<D>& layout, const Index<D>& block,
-                                  const Vector<D, Real>& position) {
+                                  const Particles<D, Real>& particles, std::size_t p,
+                                  const Index<D>& origin = {}) {
     Vector<D, double> point;
-    for (int axis = 0; axis < D; ++axis) {
-        const int first = layout.first_node(block[static_cast<std::size_t>(axis)]);
-        point[axis] = layout.cell_size * (first + static_cast<double>(position[axis]));
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        const int first = layout.first_node(block[axis]) - origin[axis];
+        point[static_cast<int>(axis)] = layout.cell_size * (first + cells_of(particles.position[axis][p]));
     }
     return point;
 }
 
-// The inverse: the position in `block`, cells, of a point of the box, m.
-template <int D, class Real>
-Vector<D, Real> local_position(const Layout<D>& layout, const Index<D>& block,
-                               const Vector<D, double>& point) {
-    Vector<D, Real> position;
-    for (int axis = 0; axis < D; ++axis) {
-        const int first = layout.first_node(block[static_cast<std::size_t>(axis)]);
-        position[axis] = static_cast<Real>(point[axis] / layout.cell_size - first);
-    }
-    return position;
-}
-
-// Calls visit(block slot, particle) for all particles, blocks in parallel, each block's particles in order.
+// Calls visit(block slot, block, particle) for all particles, blocks in parallel, each block's particles in
+// order.
 template <int D, class Real, class Visit>
-void for_each_particle(const Particles<D, Real>& particles, const Visit& visit) {
-    if (particles.begin.empty()) return;
-    parallel_for(particles.begin.size() - 1, [&](std::size_t slot) {
-        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) visit(slot, p);
+void for_each_particle(const Grid<D, Real>& grid, const Particles<D, Real>& particles, const Visit& visit) {
+    parallel_for(grid.particle_blocks.size(), [&](std::size_t slot) {
+        const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
+        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) visit(slot, block, p);
     });
 }
 

@@ -7,8 +7,8 @@ namespace tidewater::mpm {
 
 // [body][particle, in its present order]: the pressure of the water around it, averaged over the
 // grid with the particles' volumes as weights (Pa; 0 where there is no water). A particle's own pressure is
-// noisy. Overwrites the grid, which the next step fills anew.
+// noisy.
 template <int D, class Real>
-std::vector<std::vector<float>> grid_pressure(Simulation<D, Real>& simulation);
+std::vector<std::vector<float>> grid_pressure(const Simulation<D, Real>& simulation);
 
 }  // namespace tidewater::mpm

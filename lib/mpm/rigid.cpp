@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mpm/lift.h"
+#include "mpm/motion.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -28,33 +29,46 @@ Matrix<D, double> cross_matrix(const Eigen::Vector3d& w) {
     return m;
 }
 
+// The particle blocks that hold particles of the body, rising in x, then y, then z: an order that stays when
+// the scene is moved, which that of Morton keys does not.
+template <int D, class Real>
+std::vector<std::size_t> blocks_of_body(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
+    std::vector<std::size_t> slots;
+    for (std::size_t slot = 0; slot < grid.particle_blocks.size(); ++slot) {
+        if (particles.begin[slot] < particles.begin[slot + 1]) slots.push_back(slot);
+    }
+    std::sort(slots.begin(), slots.end(), [&](std::size_t a, std::size_t b) {
+        return block_at<D>(grid.particle_blocks[a]) < block_at<D>(grid.particle_blocks[b]);
+    });
+    return slots;
+}
+
 struct Momenta {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();
 };
 
-// Summed per block in parallel, then over the blocks in order.
+// Summed per block in parallel, then over the blocks in the order of their places.
 template <int D, class Real>
 Momenta gathered_momenta(const Grid<D, Real>& grid, const RigidBody& body,
                          const Particles<D, Real>& particles) {
     std::vector<Momenta> of_block(grid.particle_blocks.size());
     const double dx = grid.layout.cell_size;
-    parallel_for(of_block.size(), [&](std::size_t slot) {
-        const Index<D> block = grid.layout.block_at(grid.particle_blocks[slot]);
-        Momenta& sum = of_block[slot];
-        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-            const Eigen::Vector3d arm =
-                lift<D>(global_position<D, Real>(grid.layout, block, particles.position[p])) - body.center;
-            const Eigen::Vector3d velocity = lift<D>(particles.velocity[p].template cast<double>());
-            const Matrix<D, double> gradient = particles.gradient[p].template cast<double>();  // Δx C
-            sum.linear += velocity;
-            sum.angular += arm.cross(velocity) + 0.25 * dx * twice_axial<D>(gradient);
-        }
-    });
+    const Index<D> anchor = anchor_of<D>(body);
+    for_each_motion(grid, particles,
+                    [&](std::size_t slot, const Index<D>& block, std::size_t p, const Vector<D, Real>& v,
+                        const Matrix<D, Real>& g) {
+                        const Eigen::Vector3d arm =
+                            lift<D>(global_position(grid.layout, block, particles, p, anchor)) - body.center;
+                        const Eigen::Vector3d velocity = lift<D>(v.template cast<double>());
+                        of_block[slot].linear += velocity;
+                        of_block[slot].angular +=
+                            arm.cross(velocity) + 0.25 * dx * twice_axial<D>(g.template cast<double>());
+                    });
     Momenta total;
-    for (const Momenta& sum : of_block) {
-        total.linear += particles.mass * sum.linear;
-        total.angular += particles.mass * sum.angular;
+    for (const std::size_t slot : blocks_of_body(grid, particles)) {
+        total.linear += particles.mass * of_block[slot].linear;
+        total.angular += particles.mass * of_block[slot].angular;
     }
     return total;
 }
@@ -66,26 +80,23 @@ struct Beyond {
     double deepest = 0.0;                           // m beyond the wall
 };
 
-// Where the body touches the wall of `axis` at `plane` (m) on the side `outward` (−1 or 1); count 0 if it
-// does not.
+// Where the body touches the wall of `axis` at `plane` (m from the anchor) on the side `outward` (−1 or 1);
+// count 0 if it does not.
 template <int D, class Real>
-Beyond find_contact(const Grid<D, Real>& grid, const Particles<D, Real>& particles, int axis, double outward,
-                    double plane) {
+Beyond find_contact(const Grid<D, Real>& grid, const Particles<D, Real>& particles, const Index<D>& anchor,
+                    int axis, double outward, double plane) {
     std::vector<Beyond> of_block(grid.particle_blocks.size());
-    parallel_for(of_block.size(), [&](std::size_t slot) {
-        const Index<D> block = grid.layout.block_at(grid.particle_blocks[slot]);
-        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-            const Vector<D, double> point =
-                global_position<D, Real>(grid.layout, block, particles.position[p]);
-            const double depth = outward * (point[axis] - plane);
-            if (depth <= 0.0) continue;
-            of_block[slot].deepest = std::max(of_block[slot].deepest, depth);
-            of_block[slot].count += 1.0;
-            of_block[slot].sum += lift<D>(point);
-        }
+    for_each_particle(grid, particles, [&](std::size_t slot, const Index<D>& block, std::size_t p) {
+        const Vector<D, double> point = global_position(grid.layout, block, particles, p, anchor);
+        const double depth = outward * (point[axis] - plane);
+        if (depth <= 0.0) return;
+        of_block[slot].deepest = std::max(of_block[slot].deepest, depth);
+        of_block[slot].count += 1.0;
+        of_block[slot].sum += lift<D>(point);
     });
     Beyond total;
-    for (const Beyond& beyond : of_block) {
+    for (const std::size_t slot : blocks_of_body(grid, particles)) {
+        const Beyond& beyond = of_block[slot];
         total.count += beyond.count;
         total.sum += beyond.sum;
         total.deepest = std::max(total.deepest, beyond.deepest);
@@ -98,6 +109,36 @@ Eigen::Matrix3d turned_inertia(const RigidBody& body) {
     return r * body.inertia * r.transpose();
 }
 
+// Stops the body at every wall that it reaches.
+template <int D, class Real>
+WallContact stop_at_walls(const Grid<D, Real>& grid, const Particles<D, Real>& particles, RigidBody& body) {
+    WallContact contact;
+    const Index<D> anchor = anchor_of<D>(body);
+    for (int wall = 0; wall < 2 * D; ++wall) {
+        const int axis = wall / 2;
+        const auto a = static_cast<std::size_t>(axis);
+        const double outward = wall % 2 == 0 ? -1.0 : 1.0;
+        const double plane = grid.layout.cell_size * ((wall % 2 == 0 ? 0 : grid.layout.cells[a]) - anchor[a]);
+        if (outward * (drop<D>(body.center)[axis] - plane) + body.radius < 0.0) continue;
+        const Beyond beyond = find_contact(grid, particles, anchor, axis, outward, plane);
+        if (beyond.count == 0.0) continue;
+        const Eigen::Vector3d normal = lift<D>(Vector<D, double>::Unit(axis) * outward);
+        const Eigen::Vector3d arm = beyond.sum / beyond.count - body.center;
+        body.center -= beyond.deepest * normal;
+        contact.correction += beyond.deepest;
+        const double approach = (body.velocity + body.angular_velocity.cross(arm)).dot(normal);
+        if (approach <= 0.0) continue;
+        const Eigen::Vector3d lever = arm.cross(normal);
+        const Eigen::LDLT<Eigen::Matrix3d> inertia = turned_inertia(body).ldlt();
+        const Eigen::Vector3d push = -approach / (1.0 / body.mass + lever.dot(inertia.solve(lever))) * normal;
+        body.velocity += push / body.mass;
+        body.angular_momentum += arm.cross(push);
+        body.angular_velocity = inertia.solve(body.angular_momentum);
+        contact.impulse += push;
+    }
+    return contact;
+}
+
 }  // namespace
 
 template <int D, class Real>
@@ -105,11 +146,17 @@ RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double c
                           Particles<D, Real>& particles) {
     RigidBody body;
     body.mass = particles.mass * static_cast<double>(points.size());
-    for (const auto& point : points) body.center += lift<D>(point);
+    for (int axis = 0; axis < D; ++axis) {
+        const int block = static_cast<int>(std::floor(points[0][axis] / cell_size / Block<D>::width));
+        body.anchor[static_cast<std::size_t>(axis == D - 1 ? 2 : axis)] = block * Block<D>::width;
+    }
+    const Eigen::Vector3d anchor =
+        cell_size * Eigen::Vector3d(body.anchor[0], body.anchor[1], body.anchor[2]);
+    for (const auto& point : points) body.center += lift<D>(point) - anchor;
     body.center /= static_cast<double>(points.size());
     particles.offset.clear();
     for (const auto& point : points) {
-        const Eigen::Vector3d r = lift<D>(point) - body.center;
+        const Eigen::Vector3d r = lift<D>(point) - anchor - body.center;
         body.inertia +=
             particles.mass * ((r.squaredNorm() + 0.5 * cell_size * cell_size) * Eigen::Matrix3d::Identity() -
                               r * r.transpose());
@@ -119,45 +166,17 @@ RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double c
     return body;
 }
 
-// Stops the body at every wall that it reaches; returns the impulse that it got.
 template <int D, class Real>
-Eigen::Vector3d stop_at_walls(const Grid<D, Real>& grid, const Particles<D, Real>& particles,
-                              RigidBody& body) {
-    Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
-    for (int wall = 0; wall < 2 * D; ++wall) {
-        const int axis = wall / 2;
-        const double outward = wall % 2 == 0 ? -1.0 : 1.0;
-        const double plane =
-            wall % 2 == 0 ? 0.0 : grid.layout.cell_size * grid.layout.cells[static_cast<std::size_t>(axis)];
-        if (outward * (drop<D>(body.center)[axis] - plane) + body.radius < 0.0) continue;
-        const Beyond beyond = find_contact(grid, particles, axis, outward, plane);
-        if (beyond.count == 0.0) continue;
-        const Eigen::Vector3d normal = lift<D>(Vector<D, double>::Unit(axis) * outward);
-        const Eigen::Vector3d arm = beyond.sum / beyond.count - body.center;
-        body.center -= beyond.deepest * normal;
-        const double approach = (body.velocity + body.angular_velocity.cross(arm)).dot(normal);
-        if (approach <= 0.0) continue;
-        const Eigen::Vector3d lever = arm.cross(normal);
-        const Eigen::LDLT<Eigen::Matrix3d> inertia = turned_inertia(body).ldlt();
-        const Eigen::Vector3d push = -approach / (1.0 / body.mass + lever.dot(inertia.solve(lever))) * normal;
-        body.velocity += push / body.mass;
-        body.angular_momentum += arm.cross(push);
-        body.angular_velocity = inertia.solve(body.angular_momentum);
-        impulse += push;
-    }
-    return impulse;
-}
-
-template <int D, class Real>
-RigidMotion move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& body,
-                            Particles<D, Real>& particles) {
+WallContact take_over_momentum(const Grid<D, Real>& grid, const Particles<D, Real>& particles,
+                               RigidBody& body) {
     const Momenta momenta = gathered_momenta(grid, body, particles);
     body.velocity = momenta.linear / body.mass;
     body.angular_momentum = momenta.angular;
     body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
-    RigidMotion motion;
-    motion.wall_impulse = stop_at_walls(grid, particles, body);
+    return stop_at_walls(grid, particles, body);
+}
 
+void move_rigid_body(double dt, RigidBody& body) {
     body.center += dt * body.velocity;
     const double angle = dt * body.angular_velocity.norm();
     if (angle > 0.0) {
@@ -165,24 +184,28 @@ RigidMotion move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& bod
         body.rotation = (Eigen::Quaterniond(turn) * body.rotation).normalized();
         body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
     }
+}
 
+template <int D, class Real>
+void scatter_rigid(const Layout<D>& layout, const RigidBody& body, const Index<D>& block, std::size_t slot,
+                   Particles<D, Real>& particles, Node<Real>* tile) {
     const Eigen::Matrix3d rotation = body.rotation.toRotationMatrix();
+    const auto mass = static_cast<Real>(particles.mass);
     const Matrix<D, Real> gradient =
-        (grid.layout.cell_size * cross_matrix<D>(body.angular_velocity)).template cast<Real>();
-    std::vector<double> greatest(grid.particle_blocks.size(), 0.0);
-    parallel_for(greatest.size(), [&](std::size_t slot) {
-        const Index<D> block = grid.layout.block_at(grid.particle_blocks[slot]);
-        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-            const Eigen::Vector3d arm = rotation * lift<D>(particles.offset[p].template cast<double>());
-            const Vector<D, double> velocity = drop<D>(body.velocity + body.angular_velocity.cross(arm));
-            particles.position[p] = local_position<D, Real>(grid.layout, block, drop<D>(body.center + arm));
-            particles.velocity[p] = velocity.template cast<Real>();
-            particles.gradient[p] = gradient;
-            greatest[slot] = std::max(greatest[slot], velocity.squaredNorm());
+        mass * (layout.cell_size * cross_matrix<D>(body.angular_velocity)).template cast<Real>();
+    const Index<D> anchor = anchor_of<D>(body);
+    for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+        const Eigen::Vector3d arm = rotation * lift<D>(particles.offset[p].template cast<double>());
+        const Vector<D, double> point = drop<D>(body.center + arm);
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            const int first = layout.first_node(block[axis]) - anchor[axis];
+            const double cells = point[static_cast<int>(axis)] / layout.cell_size - first;
+            particles.position[axis][p] = stored<Real>(cells);
         }
-    });
-    motion.greatest_speed = std::sqrt(*std::max_element(greatest.begin(), greatest.end()));
-    return motion;
+        const Vector<D, double> velocity = drop<D>(body.velocity + body.angular_velocity.cross(arm));
+        scatter<D, Real>(local_position<D, Real>(particles, p), mass, mass * velocity.template cast<Real>(),
+                         gradient, tile);
+    }
 }
 
 double kinetic_energy(const RigidBody& body) {
@@ -192,7 +215,9 @@ double kinetic_energy(const RigidBody& body) {
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                                      \
     template RigidBody make_rigid_body(const std::vector<Vector<D, double>>&, double, Particles<D, Real>&); \
-    template RigidMotion move_rigid_body(const Grid<D, Real>&, double, RigidBody&, Particles<D, Real>&);
+    template WallContact take_over_momentum(const Grid<D, Real>&, const Particles<D, Real>&, RigidBody&);   \
+    template void scatter_rigid<D, Real>(const Layout<D>&, const RigidBody&, const Index<D>&, std::size_t,  \
+                                         Particles<D, Real>&, Node<Real>*);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)
 TIDEWATER_INSTANTIATE(3, float)

@@ -1,7 +1,7 @@
 // A rigid body: its particles move as one (shared/physics.md §5).
 //
-// After the particles gathered their velocities from the grid, the body takes over their momentum and goes on
-// with the one rigid motion that has the same linear and angular momentum:
+// After the grid's update the body takes over the momentum that its particles read from the grid, and goes
+// on with the one rigid motion that has the same linear and angular momentum:
 //
 //     P = Σ m v_p,                V = P / M
 //     L = Σ m [ (x_p − c) × v_p + (Δx²/4) ε:C_pᵀ ],   ω = I⁻¹ L
@@ -11,7 +11,9 @@
 //
 // The Δx² terms are the angular momentum that APIC keeps in C; with them the exchange with the water
 // conserves both momenta to rounding. They make the body harder to turn by Δx²/2 per mass: at 12 cells
-// across, 2 % of its inertia. 2D is treated as the x–z plane of 3D. Test: tests/unit/mpm/rigid_test.cpp.
+// across, 2 % of its inertia. 2D is treated as the x–z plane of 3D. Positions are relative to a node near the
+// body's start, so that a scene moved by whole blocks gives the same bits. Test:
+// tests/unit/mpm/rigid_test.cpp.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,7 +23,8 @@
 namespace tidewater::mpm {
 
 struct RigidBody {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // c, m; y = 0 in 2D
+    std::array<int, 3> anchor{};                       // node, (x, y, z) with y = 0 in 2D
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // c from the anchor, m; y = 0 in 2D
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // V, m/s
     Eigen::Vector3d angular_momentum = Eigen::Vector3d::Zero();  // L about c, kg m²/s
@@ -29,7 +32,21 @@ struct RigidBody {
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();           // I in the body's own axes, kg m²
     double mass = 0.0;                                           // M, kg
     double radius = 0.0;                                         // of the farthest particle from c, m
+
+    Eigen::Vector3d center_in_box(double cell_size) const {  // m from the box's corner
+        return center + cell_size * Eigen::Vector3d(anchor[0], anchor[1], anchor[2]);
+    }
+    double greatest_speed() const { return velocity.norm() + radius * angular_velocity.norm(); }  // m/s
 };
+
+// The anchor as an index of D axes.
+template <int D>
+Index<D> anchor_of(const RigidBody& body) {
+    if constexpr (D == 2)
+        return {body.anchor[0], body.anchor[2]};
+    else
+        return {body.anchor[0], body.anchor[1], body.anchor[2]};
+}
 
 // The body of these particles, at rest; fills their offset column (r0). `points` are their positions, m, in
 // order.
@@ -37,16 +54,24 @@ template <int D, class Real>
 RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double cell_size,
                           Particles<D, Real>& particles);
 
-struct RigidMotion {
-    double greatest_speed = 0.0;                             // of a particle, m/s
-    Eigen::Vector3d wall_impulse = Eigen::Vector3d::Zero();  // that the walls gave to the body, kg m/s
+struct WallContact {
+    Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  // that the walls gave to the body, kg m/s
+    double correction = 0.0;                            // by which they pushed it back, m
 };
 
-// Takes over the momentum that the particles gathered, stops the body at the walls, moves it by dt and writes
-// the particles' new positions, velocities and gradients.
+// Gives the body the momentum that its particles read from the grid and stops it at the walls.
 template <int D, class Real>
-RigidMotion move_rigid_body(const Grid<D, Real>& grid, double dt, RigidBody& body,
-                            Particles<D, Real>& particles);
+WallContact take_over_momentum(const Grid<D, Real>& grid, const Particles<D, Real>& particles,
+                               RigidBody& body);
+
+// c and R advance by dt.
+void move_rigid_body(double dt, RigidBody& body);
+
+// Scatters the body's particles in particle block `slot` as they are at its present place and motion; writes
+// their positions.
+template <int D, class Real>
+void scatter_rigid(const Layout<D>& layout, const RigidBody& body, const Index<D>& block, std::size_t slot,
+                   Particles<D, Real>& particles, Node<Real>* tile);
 
 // ½ M V² + ½ ω·L, J.
 double kinetic_energy(const RigidBody& body);

@@ -13,17 +13,15 @@
 // outside, a block of 10 cells floated half a cell too high.) Test: tests/unit/mpm/rigid_test.cpp.
 #pragma once
 
-#include "mpm/particles.h"
+#include "mpm/rigid.h"
 
 namespace tidewater::mpm {
 
 // ∫ N(x) dx from one cell to the end of the quadratic B-spline N.
 inline constexpr double least_share = 1.0 / 48.0;
 
-// The grid holds velocities and masses; its tiles are overwritten. Moments are taken about `center`, m, which
-// should be near the body. Nothing is done for a body without particles.
+// The grid's nodes hold velocities and masses.
 template <int D, class Real>
-void move_nodes_as_one(const Particles<D, Real>& particles, const Eigen::Vector3d& center,
-                       Grid<D, Real>& grid);
+void move_nodes_as_one(const Particles<D, Real>& particles, const RigidBody& body, Grid<D, Real>& grid);
 
 }  // namespace tidewater::mpm

@@ -1,22 +1,28 @@
 // The state of a run and the step that advances it.
 //
-// Stages of a step, in order; each is a parallel loop over blocks that write only their own data:
-//     scatter   particles → tiles (P2G, with the water's pressure)
-//     grid      tiles → nodes, momentum → velocity, gravity, rigid bodies' nodes, walls
-//     gather    nodes → particles (G2P), J and position advance
-//     rigid     each body takes over its particles' momentum and moves
-//     sort      only when a particle may have left its block's margin
+// Between steps a particle keeps its place and its strain only; velocities are on the grid. advance(s, next)
+// is one step, in these stages; each is a parallel loop over blocks that write only their own data:
+//     sort        only when a particle might leave its block's margin
+//     particles   nodes → particles (G2P), strain and position advance by s.dt, then particles → tiles (P2G)
+//                 with the forces of the coming step `next`: all while a batch of particles is in the cache
+//     grid        tiles → nodes, momentum → velocity, gravity, rigid bodies' nodes, walls
+//     rigid       each body takes over its particles' momentum
 // Sums over blocks are taken in block order: any number of threads gives the same bits.
 //
-// Time step: Δt = cfl Δx / (greatest sound speed + greatest particle speed), both measured at the end of the
-// last step, and at most √(cfl Δx/g), so that what starts from rest falls less than a cell in its first step.
-// An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D (shared/physics.md §4).
+// So at s.time the positions and strains are those of that time, and the velocities already have the forces
+// of the step s.dt that follows (symplectic Euler: first all velocities, then all positions). A simulation
+// starts with s.dt = 0 and the velocities of its start.
+//
+// Time step: Δt = cfl Δx / (greatest sound speed + greatest speed of a node), and at most so that what moves
+// and falls moves 0.4 cells. An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D
+// (shared/physics.md §4).
 #pragma once
 
-#include <chrono>
+#include <array>
 #include <string_view>
 
 #include "mpm/boundary.h"
+#include "mpm/ice.h"
 #include "mpm/rigid.h"
 #include "mpm/water.h"
 
@@ -27,27 +33,28 @@ struct Parameters {
     double gravity = 9.81;  // m/s², along the last axis, downward
     double cfl = 0.5;
     WaterModel water;
+    IceModel ice;
     Walls<D> walls{};
 };
 
 // What the time step depends on.
 struct Speeds {
-    double particle = 0.0;  // greatest |v|, m/s
-    double sound = 0.0;     // greatest c, m/s; 0 without water
+    double particle = 0.0;  // at least the greatest |v|: that of a node or of a rigid body, m/s
+    double sound = 0.0;     // greatest c, m/s; 0 without water and ice
 };
 
-enum class Phase { scatter, grid, gather, rigid, sort };
-inline constexpr std::array<std::string_view, 5> phase_names{"scatter", "grid", "gather", "rigid", "sort"};
+enum class Phase { sort, particles, grid, rigid };
+inline constexpr std::array<std::string_view, 4> phase_names{"sort", "particles", "grid", "rigid"};
 
 template <int D, class Real>
 struct Simulation {
     Parameters<D> parameters;
     Grid<D, Real> grid;
-    std::vector<Particles<D, Real>>
-        bodies;                    // all particles: water first where there is any, then the rigid ones
+    std::vector<Particles<D, Real>> bodies;
     std::vector<RigidBody> rigid;  // of the rigid entries of bodies, in their order
 
-    double time = 0.0;
+    double time = 0.0;  // s
+    double dt = 0.0;    // of the step that comes, whose forces the velocities have already, s
     long step = 0;
     Speeds speeds;
     double drift = 0.0;  // cells that a particle may have moved since the last sort
@@ -59,16 +66,17 @@ struct Simulation {
     std::size_t particle_count() const;
 };
 
-// The longest stable step now, s. Infinite only without gravity, water and motion.
+// The longest stable step now, s. Infinite only without gravity, sound and motion.
 template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& simulation);
 
-// One step of dt. Throws NumericsError naming step, phase and particle when a value is not finite, a volume
-// collapses (J ≤ 0) or a particle leaves the box.
+// Advances by s.dt and gives the velocities the forces of a step of next_dt, which becomes s.dt. Throws
+// NumericsError naming step, phase and particle when a value is not finite, a volume collapses (J ≤ 0), a
+// particle leaves the box or moves more than half a cell in one step.
 template <int D, class Real>
-void advance(Simulation<D, Real>& simulation, double dt);
+void advance(Simulation<D, Real>& simulation, double next_dt);
 
-// Fingerprint of positions, velocities, gradients, volumes and order of all particles.
+// Fingerprint of all particles, in their order, and all nodes.
 template <int D, class Real>
 std::uint64_t state_hash(const Simulation<D, Real>& simulation);
 

@@ -1,4 +1,4 @@
-// How a simulation begins: bodies of particles at rest in a box.
+// How a simulation begins: bodies of particles in a box.
 #pragma once
 
 #include "mpm/simulation.h"
@@ -11,8 +11,10 @@ struct Start {
     struct Body {
         Material material = Material::water;
         std::vector<Vector<D, double>> points;
-        double mass = 0.0;     // of the whole body, kg
-        double volume = 0.0;   // of the whole body at rest, m³
+        std::vector<Vector<D, double>> velocity;  // of each point, m/s; empty: at rest
+        std::vector<Matrix<D, double>> gradient;  // ∂v/∂x of each point, 1/s; empty: zero
+        double mass = 0.0;                        // of the whole body, kg
+        double volume = 0.0;                      // of the whole body at rest, m³
         double surface = 0.0;  // water: height of the still surface, from which it starts hydrostatic, m
     };
     double cell_size = 0.0;
@@ -21,7 +23,7 @@ struct Start {
     std::vector<Body> bodies;  // bodies without points are left out
 };
 
-// Throws NumericsError if a point lies outside of the box.
+// Time 0, s.dt = 0, velocities as given. Throws NumericsError if a point lies outside of the box.
 template <int D, class Real>
 Simulation<D, Real> make_simulation(const Start<D>& start);
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "mpm/simulation.h"
 
@@ -19,6 +20,7 @@ namespace tidewater::mpm {
 template <int D, class Real, class Visit>
 void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("time", s.time);
+    visit("dt", s.dt);
     visit("step", s.step);
     visit("speeds.particle", s.speeds.particle);
     visit("speeds.sound", s.speeds.sound);
@@ -29,17 +31,16 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     for (std::size_t body = 0; body < s.bodies.size(); ++body) {
         const std::string of = "body" + std::to_string(body) + ".";
         Particles<D, Real>& particles = s.bodies[body];
-        visit(of + "position", particles.position);
-        visit(of + "velocity", particles.velocity);
-        visit(of + "gradient", particles.gradient);
-        visit(of + "j", particles.j);
-        visit(of + "offset", particles.offset);
-        visit(of + "id", particles.id);
+        for_each_column(particles, [&](const std::string& name, auto& column) { visit(of + name, column); });
         visit(of + "begin", particles.begin);
     }
+    visit("nodes", s.grid.nodes);
     for (std::size_t body = 0; body < s.rigid.size(); ++body) {
         const std::string of = "rigid" + std::to_string(body) + ".";
         RigidBody& rigid = s.rigid[body];
+        for (std::size_t axis = 0; axis < rigid.anchor.size(); ++axis) {
+            visit(of + "anchor" + std::to_string(axis), rigid.anchor[axis]);
+        }
         visit(of + "center", rigid.center);
         visit(of + "rotation", rigid.rotation.coeffs());  // (x, y, z, w)
         visit(of + "velocity", rigid.velocity);
@@ -51,11 +52,16 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     }
 }
 
-// Makes what follows from the state: tiles, nodes and their links. Nodes and tiles hold nothing between
-// steps.
+// Makes what follows from the state: tiles and the links between them and nodes.
 template <int D, class Real>
 void relink(Simulation<D, Real>& s) {
-    activate(s.grid, std::vector<int>(s.grid.particle_blocks));
+    std::vector<BlockKey> blocks = std::move(s.grid.particle_blocks);
+    std::vector<Node<Real>> nodes = std::move(s.grid.nodes);
+    s.grid.particle_blocks.clear();
+    s.grid.node_blocks.clear();
+    s.grid.nodes.clear();
+    activate(s.grid, std::move(blocks));
+    s.grid.nodes = std::move(nodes);
 }
 
 }  // namespace tidewater::mpm

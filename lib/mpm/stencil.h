@@ -5,8 +5,8 @@
 // width + 1: the block's tile. The half cell of margin on each side costs no node and lets particles move
 // before they are sorted again.
 //
-//     weights of the nodes b, b+1, b+2 with b = ⌊X − ½⌋, f = X − b ∈ [½, 3⁄2):
-//     ½(3⁄2 − f)²,  ¾ − (f − 1)²,  ½(f − ½)²
+//     weights of the nodes n − 1, n, n + 1 with n = ⌊X + ½⌋, f = X − n ∈ [−½, ½):
+//     ½(½ − f)²,  ¾ − f²,  ½(½ + f)²
 //
 // Source: Jiang et al. (2016), "The material point method for simulating continuum materials", §7.
 #pragma once
@@ -22,10 +22,13 @@ constexpr int power(int base, int exponent) { return exponent == 0 ? 1 : base * 
 
 template <int D>
 struct Block {
-    static constexpr int width = D == 2 ? 8 : 4;
+    static constexpr int width = D == 2 ? 16 : 4;
     static constexpr int nodes = power(width, D);
     static constexpr int tile_width = width + 3;
     static constexpr int tile_nodes = power(tile_width, D);
+    // In memory a tile is whole cache lines, with at least one node after its last: kernels touch four nodes
+    // in a row where a particle has three.
+    static constexpr int tile_size = (tile_nodes + 4) / 4 * 4;
     static constexpr int neighbours = power(3, D);  // itself included
 };
 
@@ -39,31 +42,33 @@ using Node = Eigen::Array<Real, 4, 1>;
 
 inline constexpr int mass_lane = 3;
 
-// The 3^D nodes of one particle. In 2D the middle axis has one layer of weight 1, so that 2D and 3D share
-// their loops.
-template <int D, class Real>
-struct Stencil {
-    static constexpr int layers = D == 3 ? 3 : 1;
-    static constexpr int stride_x = power(Block<D>::tile_width, D - 1);
-    static constexpr int stride_y = D == 3 ? Block<D>::tile_width : 0;
-
-    int first = 0;                                // tile index of the first node
-    Vector<D, Real> to_first;                     // from the particle to the first node, cells
-    std::array<std::array<Real, 3>, 3> weight{};  // [x, y, z][node]
-
-    explicit Stencil(const Vector<D, Real>& position) {
-        weight[1][0] = Real(1);
-        for (int axis = 0; axis < D; ++axis) {
-            const int node =
-                static_cast<int>(position[axis] + Real(0.5));  // in the tile, whose first node is −1
-            const Real f = position[axis] - static_cast<Real>(node - 1);
-            weight[static_cast<std::size_t>(axis == D - 1 ? 2 : axis)] = {
-                Real(0.5) * (Real(1.5) - f) * (Real(1.5) - f), Real(0.75) - (f - Real(1)) * (f - Real(1)),
-                Real(0.5) * (f - Real(0.5)) * (f - Real(0.5))};
-            to_first[axis] = -f;
-            first = first * Block<D>::tile_width + node;
-        }
+// Calls visit(tile index, weight, distance from the particle in cells) for the 3^D nodes of a particle.
+//     position   cells, relative to its block, −½ ≤ X < width + ½
+template <int D, class Real, class Visit>
+inline void for_each_node(const Vector<D, double>& position, const Visit& visit) {
+    int nearest[D];
+    Real weight[D][3];
+    Vector<D, Real> f;  // from the nearest node, in [−½, ½)
+    for (int axis = 0; axis < D; ++axis) {
+        nearest[axis] = static_cast<int>(position[axis] + 1.5) - 1;
+        f[axis] = static_cast<Real>(position[axis] - nearest[axis]);
+        const Real below = Real(0.5) - f[axis], above = Real(0.5) + f[axis];
+        weight[axis][0] = Real(0.5) * below * below;
+        weight[axis][1] = Real(0.75) - f[axis] * f[axis];
+        weight[axis][2] = Real(0.5) * above * above;
     }
-};
+    for (int n = 0; n < power(3, D); ++n) {
+        int node = 0;
+        Real w = 1;
+        Vector<D, Real> distance;
+        for (int axis = 0; axis < D; ++axis) {
+            const int offset = n / power(3, D - 1 - axis) % 3 - 1;
+            node = node * Block<D>::tile_width + nearest[axis] + offset + 1;
+            w *= weight[axis][offset + 1];
+            distance[axis] = static_cast<Real>(offset) - f[axis];
+        }
+        visit(node, w, distance);
+    }
+}
 
 }  // namespace tidewater::mpm

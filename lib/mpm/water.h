@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+#include "mpm/batch.h"
+
 namespace tidewater::mpm {
 
 struct WaterModel {
@@ -28,6 +30,18 @@ Real water_pressure(Real j, Real bulk_modulus, int exponent) {
     Real sum = 0;
     for (int k = 0; k < exponent; ++k) sum = x * (Real(1) + sum);
     return -bulk_modulus * j * sum;
+}
+
+// The same for a whole batch.
+template <class Real>
+void water_pressure(const Column<Real>& j, Real bulk_modulus, int exponent, Column<Real>& pressure) {
+    Column<Real> x;
+    for (int p = 0; p < batch_size; ++p) x[p] = Real(1) / (Real(1) + j[p]);
+    for (int p = 0; p < batch_size; ++p) pressure[p] = x[p];
+    for (int k = 1; k < exponent; ++k) {
+        for (int p = 0; p < batch_size; ++p) pressure[p] = x[p] * (Real(1) + pressure[p]);
+    }
+    for (int p = 0; p < batch_size; ++p) pressure[p] *= -bulk_modulus * j[p];
 }
 
 // c(J) / c0.

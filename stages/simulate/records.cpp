@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "io/snapshot.h"
 #include "io/text.h"
+#include "mpm/motion.h"
 #include "mpm/pressure.h"
 
 namespace tidewater {
@@ -32,12 +33,12 @@ std::vector<std::string> ledger_columns() {
     return columns;
 }
 
-// Appends (x, y, z), y = 0 in 2D.
+// Writes (x, y, z), y = 0 in 2D.
 template <int D, class Real>
-void append_lifted(const Vector<D, Real>& v, std::vector<float>& to) {
-    to.push_back(static_cast<float>(v[0]));
-    to.push_back(D == 3 ? static_cast<float>(v[1]) : 0.0f);
-    to.push_back(static_cast<float>(v[D - 1]));
+void lift(const Vector<D, Real>& v, float* to) {
+    to[0] = static_cast<float>(v[0]);
+    to[1] = D == 3 ? static_cast<float>(v[1]) : 0.0f;
+    to[2] = static_cast<float>(v[D - 1]);
 }
 
 // Whether a block, with what may have drifted out of it, reaches the columns that a gauge reads.
@@ -97,7 +98,7 @@ Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path
       ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {}
 
 template <int D, class Real>
-void Records<D, Real>::write_frame(mpm::Simulation<D, Real>& s) {
+void Records<D, Real>::write_frame(const mpm::Simulation<D, Real>& s) {
     io::Snapshot snapshot;
     snapshot.dimension = D;
     snapshot.time = s.time;
@@ -109,14 +110,16 @@ void Records<D, Real>::write_frame(mpm::Simulation<D, Real>& s) {
         snapshot.material.insert(snapshot.material.end(), particles.size(),
                                  static_cast<std::uint8_t>(particles.material));
         snapshot.volume.insert(snapshot.volume.end(), particles.size(), static_cast<float>(particles.volume));
-        for (std::size_t slot = 0; slot + 1 < particles.begin.size(); ++slot) {
-            const auto block = s.grid.layout.block_at(s.grid.particle_blocks[slot]);
-            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-                append_lifted<D>(mpm::global_position<D, Real>(s.grid.layout, block, particles.position[p]),
-                                 snapshot.points);
-                append_lifted<D>(particles.velocity[p], snapshot.velocity);
-            }
-        }
+        const std::size_t first = snapshot.points.size();
+        snapshot.points.resize(first + 3 * particles.size(), 0.0f);
+        snapshot.velocity.resize(first + 3 * particles.size(), 0.0f);
+        mpm::for_each_motion(s.grid, particles,
+                             [&](std::size_t, const mpm::Index<D>& block, std::size_t p,
+                                 const Vector<D, Real>& velocity, const Matrix<D, Real>&) {
+                                 const auto point = mpm::global_position(s.grid.layout, block, particles, p);
+                                 lift<D>(point, snapshot.points.data() + first + 3 * p);
+                                 lift<D>(velocity, snapshot.velocity.data() + first + 3 * p);
+                             });
     }
     io::write_snapshot(folder_ / io::snapshot_name(frame_times_.size()), snapshot, provenance_);
     frame_times_.push_back(s.time);
@@ -129,14 +132,14 @@ std::vector<double> Records<D, Real>::surface_at_gauges(const mpm::Simulation<D,
     for (const auto& particles : s.bodies) {
         if (particles.material != Material::water) continue;
         for (std::size_t slot = 0; slot + 1 < particles.begin.size(); ++slot) {
-            const auto block = s.grid.layout.block_at(s.grid.particle_blocks[slot]);
+            const auto block = mpm::block_at<D>(s.grid.particle_blocks[slot]);
             const auto reaches = [&](const analysis::Place& place) {
                 return near_place<D>(s.grid.layout, block, place);
             };
             if (std::none_of(places_.begin(), places_.end(), reaches)) continue;
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-                append_lifted<D>(mpm::global_position<D, Real>(s.grid.layout, block, particles.position[p]),
-                                 points);
+                points.resize(points.size() + 3);
+                lift<D>(mpm::global_position(s.grid.layout, block, particles, p), &points.back() - 2);
                 volume.push_back(static_cast<float>(particles.volume));
             }
         }

@@ -24,7 +24,7 @@ class Records {
 public:
     Records(const scene::Scene& scene, const std::filesystem::path& folder, const Provenance& provenance);
 
-    void write_frame(mpm::Simulation<D, Real>& simulation);
+    void write_frame(const mpm::Simulation<D, Real>& simulation);
     void append_row(const mpm::Simulation<D, Real>& simulation);  // to gauges.csv and ledger.csv
 
     // What a checkpoint needs of the records, and how to go on behind it.

@@ -23,13 +23,9 @@ std::string time_step_line(const mpm::Simulation<D, Real>& s) {
                   100.0 * std::max(speeds.sound, speeds.particle) / sum);
 }
 
-// Advances to exactly `target` by one step of several equal ones.
-template <int D, class Real>
-void step_towards(mpm::Simulation<D, Real>& s, double target) {
-    const double left = target - s.time;
-    const double steps = std::max(1.0, std::ceil(left / mpm::stable_time_step(s)));
-    mpm::advance(s, left / steps);
-    if (steps == 1.0) s.time = target;
+// `time`, or the time of a schedule if it is one but for rounding.
+double snapped(double time) {
+    return std::abs(time - rounded(time)) < 1e-12 * (1.0 + time) ? rounded(time) : time;
 }
 
 }  // namespace
@@ -71,8 +67,20 @@ bool Run<D, Real>::to_end() {
         save_if_due();
         wrote_ = false;
         progress_.update(s_.time / end, format("t = %.3f s of %g s", s_.time, end));
-        step_towards(s_, std::min({frames_.next(), rows_.next(), end}));
+        step(end);
     }
+}
+
+// Advances by the step that was chosen before, and chooses the next: one of several equal ones that end at
+// the next time at which something is written.
+template <int D, class Real>
+void Run<D, Real>::step(double end) {
+    const double arrival = snapped(s_.time + s_.dt);
+    double target = std::min(frames_.after(arrival), rows_.after(arrival));
+    if (arrival < end) target = std::min(target, end);
+    const double left = target - arrival;
+    mpm::advance(s_, left / std::max(1.0, std::ceil(left / mpm::stable_time_step(s_))));
+    s_.time = arrival;
 }
 
 template <int D, class Real>

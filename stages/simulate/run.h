@@ -26,6 +26,7 @@ public:
     bool to_end();
 
 private:
+    void step(double end);
     void write_due(bool ended);
     void save_if_due();
     void save();

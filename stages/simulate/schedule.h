@@ -14,6 +14,12 @@ public:
     explicit Schedule(double interval, long past = 0) : interval_(interval), past_(past) {}
 
     double next() const { return rounded(static_cast<double>(past_) * interval_); }
+    // The first one after `time`, whether or not those before have come up.
+    double after(double time) const {
+        double n = std::floor(time / interval_);
+        while (rounded(n * interval_) <= time) ++n;
+        return rounded(n * interval_);
+    }
     long past() const { return past_; }
     bool due(double time) {
         if (time < next()) return false;

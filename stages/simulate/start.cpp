@@ -42,6 +42,7 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
     start.parameters = {.gravity = scene.domain.gravity,
                         .cfl = scene.simulate.cfl,
                         .water = scene.water.model,
+                        .ice = {},
                         .walls = make_walls<D>(scene.domain)};
     std::size_t count = 0;
     if (!std::filesystem::exists(file))

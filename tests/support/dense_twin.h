@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mpm/start.h"
+#include "support/dense_ice.h"
 
 namespace tidewater::test {
 
@@ -18,9 +19,9 @@ struct DenseTwin {
     using Cell = mpm::Index<D>;
     struct Particle {
         std::size_t body;
-        double mass, volume, j;
+        double mass, volume, j, alpha;
         Vec x, v, r0;
-        Mat c;
+        Mat c, b;
     };
     struct Node {
         double mass = 0;
@@ -29,9 +30,12 @@ struct DenseTwin {
 
     mpm::Start<D> start;
     std::vector<Particle> particles;
-    std::vector<Vec> center;                   // of each body
-    std::vector<Eigen::Quaterniond> rotation;  // of each body
-    std::map<Cell, Node> grid;
+    std::vector<Vec> center;                       // of each body
+    std::vector<Eigen::Quaterniond> rotation;      // of each body
+    std::vector<Eigen::Vector3d> linear, angular;  // momenta of each rigid body, kg m/s and kg m²/s
+    std::vector<Node> grid;  // of the box and `rim` nodes around it, the last axis fastest
+
+    static constexpr int rim = 3;
 
     explicit DenseTwin(const mpm::Start<D>& from) : start(from) {
         for (std::size_t b = 0; b < start.bodies.size(); ++b) {
@@ -41,18 +45,52 @@ struct DenseTwin {
             for (const Vec& x : body.points) middle += x / count;
             center.push_back(middle);
             rotation.push_back(Eigen::Quaterniond::Identity());
-            for (const Vec& x : body.points) {
+            linear.push_back(Eigen::Vector3d::Zero());
+            angular.push_back(Eigen::Vector3d::Zero());
+            for (std::size_t n = 0; n < body.points.size(); ++n) {
+                const Vec& x = body.points[n];
                 const bool water = body.material == Material::water;
                 const double depth = body.surface - x[D - 1];
                 const double j =
                     water ? mpm::hydrostatic_j(depth, start.parameters.gravity, start.parameters.water) : 0.0;
                 particles.push_back(
-                    {b, body.mass / count, body.volume / count, j, x, Vec::Zero(), x - middle, Mat::Zero()});
+                    {b, body.mass / count, body.volume / count, j, start.parameters.ice.initial_alpha(), x,
+                     body.velocity.empty() ? Vec::Zero().eval() : body.velocity[n], x - middle,
+                     body.gradient.empty() ? Mat::Zero().eval() : body.gradient[n], Mat::Identity()});
             }
+        }
+        // The start's velocities go to the grid once and come back as the first step reads them.
+        scatter(0);
+        for (Node& node : grid) node.momentum /= node.mass > 0 ? node.mass : 1;
+        gather(0);
+    }
+
+    template <class Visit>
+    void for_each_rigid_body(const Visit& visit) {
+        for (std::size_t b = 0; b < start.bodies.size(); ++b) {
+            if (start.bodies[b].material == Material::rigid && !start.bodies[b].points.empty()) visit(b);
         }
     }
 
-    bool is_water(const Particle& p) const { return start.bodies[p.body].material == Material::water; }
+    std::size_t index(const Cell& node) const {
+        std::size_t n = 0;
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            n = n * static_cast<std::size_t>(start.cells[axis] + 2 * rim + 1) +
+                static_cast<std::size_t>(node[axis] + rim);
+        }
+        return n;
+    }
+    Cell node_at(std::size_t index) const {
+        Cell node;
+        for (std::size_t axis = D; axis-- > 0;) {
+            const auto along = static_cast<std::size_t>(start.cells[axis] + 2 * rim + 1);
+            node[axis] = static_cast<int>(index % along) - rim;
+            index /= along;
+        }
+        return node;
+    }
+
+    Material material(const Particle& p) const { return start.bodies[p.body].material; }
 
     // Calls visit(node, weight, x_i − x_p) for the 3^D nodes of a particle.
     template <class Visit>
@@ -74,54 +112,78 @@ struct DenseTwin {
     }
 
     void step(double dt) {
-        const double dx = start.cell_size, theta = start.parameters.water.exponent;
-        grid.clear();
-        for (const Particle& p : particles) {
-            const double j = 1 + p.j;
-            const double tau =
-                is_water(p) ? -j * start.parameters.water.bulk_modulus() * (std::pow(j, -theta) - 1) : 0;
-            const Mat q = p.mass * p.c - dt * p.volume * 4 / (dx * dx) * tau * Mat::Identity();
-            for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                grid[i].mass += w * p.mass;
-                grid[i].momentum += w * (p.mass * p.v + q * d);
-            });
-        }
-        for (auto& [i, node] : grid) {
+        scatter(dt);
+        for (Node& node : grid) {
+            if (node.mass == 0) continue;
             node.momentum /= node.mass;  // velocity from here on
             node.momentum[D - 1] -= dt * start.parameters.gravity;
         }
-        for (std::size_t b = 0; b < start.bodies.size(); ++b) {
-            if (start.bodies[b].material == Material::rigid && !start.bodies[b].points.empty())
-                move_nodes_as_one(b);
+        for_each_rigid_body([&](std::size_t b) { move_nodes_as_one(b); });
+        for (std::size_t n = 0; n < grid.size(); ++n) apply_walls(node_at(n), grid[n].momentum);
+        gather(dt);
+    }
+
+    // τ of a particle, Pa.
+    Mat stress(const Particle& p) const {
+        const mpm::WaterModel& water = start.parameters.water;
+        const double j = 1 + p.j;
+        switch (material(p)) {
+            case Material::water:
+                return -j * water.bulk_modulus() * (std::pow(j, -water.exponent) - 1) * Mat::Identity();
+            case Material::ice:
+                return kirchhoff_stress<D>(start.parameters.ice, p.b);
+            case Material::rigid:
+                break;
         }
-        for (auto& [i, node] : grid) {
-            Vec& v = node.momentum;
-            for (int axis = 0; axis < D; ++axis) {
-                const auto a = static_cast<std::size_t>(axis);
-                for (int side = 0; side < 2; ++side) {
-                    if (side == 0 ? i[a] > 0 : i[a] < start.cells[a]) continue;
-                    const auto rule = start.parameters.walls[a][static_cast<std::size_t>(side)];
-                    const double outward = side == 0 ? -1 : 1;
-                    if (rule == mpm::WallRule::stick) v.setZero();
-                    if (rule == mpm::WallRule::slip || v[axis] * outward > 0) v[axis] = 0;
-                }
+        return Mat::Zero();
+    }
+
+    void scatter(double dt) {
+        const double dx = start.cell_size;
+        Cell last;
+        for (std::size_t axis = 0; axis < D; ++axis) last[axis] = start.cells[axis] + rim;
+        grid.assign(index(last) + 1, Node{});
+        for (const Particle& p : particles) {
+            const Mat q = p.mass * p.c - dt * p.volume * 4 / (dx * dx) * stress(p);
+            for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
+                grid[index(i)].mass += w * p.mass;
+                grid[index(i)].momentum += w * (p.mass * p.v + q * d);
+            });
+        }
+    }
+
+    void apply_walls(const Cell& i, Vec& v) const {
+        for (int axis = 0; axis < D; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            for (int side = 0; side < 2; ++side) {
+                if (side == 0 ? i[a] > 0 : i[a] < start.cells[a]) continue;
+                const auto rule = start.parameters.walls[a][static_cast<std::size_t>(side)];
+                const double outward = side == 0 ? -1 : 1;
+                if (rule == mpm::WallRule::stick) v.setZero();
+                if (rule == mpm::WallRule::slip || v[axis] * outward > 0) v[axis] = 0;
             }
         }
+    }
+
+    void gather(double dt) {
+        const double dx = start.cell_size;
         for (Particle& p : particles) {
             p.v.setZero();
             p.c.setZero();
             for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                p.v += w * grid[i].momentum;
-                p.c += 4 / (dx * dx) * w * grid[i].momentum * d.transpose();
+                const Vec& u = grid[index(i)].momentum;
+                p.v += w * u;
+                p.c += 4 / (dx * dx) * w * u * d.transpose();
             });
-            if (!is_water(p)) continue;
-            p.j += (1 + p.j) * dt * p.c.trace();
+            if (material(p) == Material::rigid) continue;
             p.x += dt * p.v;
+            p.j += (1 + p.j) * dt * p.c.trace();
+            const Mat change = Mat::Identity() + dt * p.c;
+            p.b = change * p.b * change.transpose();
+            const bool may_fail = material(p) == Material::ice && start.parameters.ice.fracture;
+            if (may_fail) return_to_yield<D>(start.parameters.ice, p.b, p.alpha);
         }
-        for (std::size_t b = 0; b < start.bodies.size(); ++b) {
-            if (start.bodies[b].material == Material::rigid && !start.bodies[b].points.empty())
-                move_rigid(b, dt);
-        }
+        for_each_rigid_body([&](std::size_t b) { move_rigid(b, dt); });
     }
 
     static Eigen::Vector3d lift(const Vec& v) {
@@ -156,21 +218,24 @@ struct DenseTwin {
             touched[i] = lift(x);
         }
         double mass = 0;
-        Eigen::Vector3d middle = Eigen::Vector3d::Zero(), linear = middle, angular = middle;
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero(), impulse = middle, spin = middle;
         for (const auto& [i, x] : touched) {
-            mass += grid[i].mass;
-            middle += grid[i].mass * x;
-            linear += grid[i].mass * lift(grid[i].momentum);
+            const Node& node = grid[index(i)];
+            mass += node.mass;
+            middle += node.mass * x;
+            impulse += node.mass * lift(node.momentum);
         }
         middle /= mass;
         Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
         for (const auto& [i, x] : touched) {
             const Eigen::Vector3d r = x - middle;
-            turn += grid[i].mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
-            angular += grid[i].mass * r.cross(lift(grid[i].momentum));
+            const Node& node = grid[index(i)];
+            turn += node.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+            spin += node.mass * r.cross(lift(node.momentum));
         }
-        const Eigen::Vector3d omega = turn.inverse() * angular;
-        for (const auto& [i, x] : touched) grid[i].momentum = drop(linear / mass + omega.cross(x - middle));
+        const Eigen::Vector3d omega = turn.inverse() * spin;
+        for (const auto& [i, x] : touched)
+            grid[index(i)].momentum = drop(impulse / mass + omega.cross(x - middle));
     }
 
     Eigen::Matrix3d inertia(std::size_t body) const {
@@ -187,24 +252,25 @@ struct DenseTwin {
 
     void move_rigid(std::size_t body, double dt) {
         double mass = 0;
-        Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;
+        linear[body].setZero();
+        angular[body].setZero();
         for (const Particle& p : particles) {
             if (p.body != body) continue;
             mass += p.mass;
-            linear += p.mass * lift(p.v);
+            linear[body] += p.mass * lift(p.v);
             Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
             for (int col = 0; col < D; ++col) c.col(D == 2 ? 2 * col : col) = lift(p.c.col(col));
             const Eigen::Vector3d twice_axial(c(2, 1) - c(1, 2), c(0, 2) - c(2, 0), c(1, 0) - c(0, 1));
-            angular += p.mass * ((lift(p.x) - lift(center[body])).cross(lift(p.v)) +
-                                 start.cell_size * start.cell_size / 4 * twice_axial);
+            angular[body] += p.mass * ((lift(p.x) - lift(center[body])).cross(lift(p.v)) +
+                                       start.cell_size * start.cell_size / 4 * twice_axial);
         }
-        const Eigen::Vector3d velocity = linear / mass;
-        Eigen::Vector3d omega = inertia(body).inverse() * angular;
+        const Eigen::Vector3d velocity = linear[body] / mass;
+        Eigen::Vector3d omega = inertia(body).inverse() * angular[body];
         center[body] += dt * drop(velocity);
         if (omega.norm() > 0) {
             const Eigen::AngleAxisd turn(dt * omega.norm(), omega.normalized());
             rotation[body] = Eigen::Quaterniond(turn) * rotation[body];
-            omega = inertia(body).inverse() * angular;
+            omega = inertia(body).inverse() * angular[body];
         }
         Eigen::Matrix3d cross;
         cross << 0, -omega[2], omega[1], omega[2], 0, -omega[0], -omega[1], omega[0], 0;

@@ -66,4 +66,17 @@ mpm::Start<D> tank_start(double cell_size, const mpm::Index<D>& cells, double de
     return start;
 }
 
+// A block that falls partly into disordered water, off-centre, so that it turns.
+template <int D>
+mpm::Start<D> dropped_block_start(mpm::WallRule rule = mpm::WallRule::slip) {
+    mpm::Index<D> cells;
+    cells.fill(D == 2 ? 20 : 9);
+    cells[D - 1] = D == 2 ? 24 : 12;
+    Vector<D, double> corner = Vector<D, double>::Constant(D == 2 ? 0.33 : 0.24);
+    corner[D - 1] = D == 2 ? 0.55 : 0.35;
+    mpm::Start<D> start = tank_start<D>(0.05, cells, D == 2 ? 0.6 : 0.4, 20.0, 0.2, corner, 2, 0.5);
+    for (auto& axis : start.parameters.walls) axis = {rule, rule};
+    return start;
+}
+
 }  // namespace tidewater::test

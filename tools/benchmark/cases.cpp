@@ -16,22 +16,13 @@ constexpr double ice_density = 900.0, rigid_density = 920.0;                    
 constexpr int per_axis = 2;                                                        // particles in a cell
 constexpr double jitter = 0.5;  // greatest distance between two places of a particle, in spacings
 
-// An engine without ice has no parameters for it.
-template <class Parameters>
-constexpr bool knows_ice = requires(Parameters parameters) {
-    parameters.ice;
-};
-
 // Of measured strengths (90–320 kPa, Vaughan 1993) a middle one: the greatest stress that shaking makes at
 // the front, ρ c v = 1.1 MPa with E = 1 GPa, is well above what it lets the ice bear, at the rear it is
 // below.
-template <class Parameters>
-void set_ice(Parameters& parameters) {
-    if constexpr (knows_ice<Parameters>) {
-        parameters.ice.density = ice_density;
-        parameters.ice.youngs_modulus = 1e9;
-        parameters.ice.beta_p0 = 0.2e6;
-    }
+void set_ice(mpm::IceModel& ice) {
+    ice.density = ice_density;
+    ice.youngs_modulus = 1e9;
+    ice.beta_p0 = 0.2e6;
 }
 
 // A box of space from low to high, m.
@@ -57,17 +48,17 @@ Box<D> across(double x0, double x1, double top) {
 
 // An empty fjord, its length and height in depths. `share` is the particles' volume, in cubes of the depth.
 template <int D>
-Scene<D> make_fjord(double length, double height, double share, long particles) {
+mpm::Start<D> make_fjord(double length, double height, double share, long particles) {
     const double per_cell = std::pow(per_axis, D);
     const double cells = std::pow(static_cast<double>(particles) / (per_cell * share), 1.0 / D);
     const int across_depth = std::max(4, static_cast<int>(std::lround(cells)));
-    Scene<D> scene;
-    scene.start.cell_size = depth / across_depth;
-    scene.start.cells.fill(across_depth);
-    scene.start.cells[0] = static_cast<int>(std::lround(length * across_depth));
-    scene.start.cells[D - 1] = static_cast<int>(std::lround(height * across_depth));
-    set_ice(scene.start.parameters);
-    return scene;
+    mpm::Start<D> start;
+    start.cell_size = depth / across_depth;
+    start.cells.fill(across_depth);
+    start.cells[0] = static_cast<int>(std::lround(length * across_depth));
+    start.cells[D - 1] = static_cast<int>(std::lround(height * across_depth));
+    set_ice(start.parameters.ice);
+    return start;
 }
 
 // The lattice's point number n, moved by jitter.
@@ -88,21 +79,21 @@ Vector<D, double> lattice_point(const mpm::Start<D>& start, long n) {
 
 // Adds a body where inside(point) holds, moving with velocity(point).
 template <int D, class Inside, class Velocity>
-void add_body(Scene<D>& scene, Material material, double density, const Inside& inside,
+void add_body(mpm::Start<D>& start, Material material, double density, const Inside& inside,
               const Velocity& velocity) {
     typename mpm::Start<D>::Body body;
     body.material = material;
     long count = 1;
-    for (const int along : scene.start.cells) count *= static_cast<long>(along) * per_axis;
+    for (const int along : start.cells) count *= static_cast<long>(along) * per_axis;
     for (long n = 0; n < count; ++n) {
-        const Vector<D, double> point = lattice_point(scene.start, n);
+        const Vector<D, double> point = lattice_point(start, n);
         if (!inside(point)) continue;
         body.points.push_back(point);
-        scene.velocity.push_back(velocity(point));
+        body.velocity.push_back(velocity(point));
     }
-    body.volume = std::pow(scene.start.cell_size / per_axis, D) * static_cast<double>(body.points.size());
+    body.volume = std::pow(start.cell_size / per_axis, D) * static_cast<double>(body.points.size());
     body.mass = density * body.volume;
-    scene.start.bodies.push_back(std::move(body));
+    start.bodies.push_back(std::move(body));
 }
 
 // Turning water: no flow through the sides of its box, no divergence. With ξ, ζ from 0 to 1 along and up:
@@ -130,75 +121,78 @@ Vector<D, double> sliding(const Box<D>& box, const Vector<D, double>& point) {
 }
 
 template <int D>
-void add_water(Scene<D>& scene, const Box<D>& box, const Box<D>* without = nullptr) {
+void add_water(mpm::Start<D>& start, const Box<D>& box, const Box<D>* without = nullptr) {
     add_body(
-        scene, Material::water, scene.start.parameters.water.density,
+        start, Material::water, start.parameters.water.density,
         [&](const auto& point) { return box.holds(point) && !(without && without->holds(point)); },
         [&](const auto& point) { return turning(box, point); });
-    scene.start.bodies.back().surface = box.high[D - 1];
+    start.bodies.back().surface = box.high[D - 1];
 }
 
 template <int D>
-void add_ice(Scene<D>& scene, const Box<D>& box) {
+void add_ice(mpm::Start<D>& start, const Box<D>& box) {
     add_body(
-        scene, Material::ice, ice_density, [&](const auto& point) { return box.holds(point); },
+        start, Material::ice, ice_density, [&](const auto& point) { return box.holds(point); },
         [&](const auto& point) { return sliding(box, point); });
 }
 
 // A tank four times as long as deep, in 3D twice.
 template <int D>
-Scene<D> make_water(long particles) {
+mpm::Start<D> make_water(long particles) {
     const double length = D == 2 ? 4.0 : 2.0;
-    Scene<D> scene = make_fjord<D>(length, 1.5, length, particles);
-    add_water(scene, across<D>(0.0, length, 1.0));
-    return scene;
+    mpm::Start<D> start = make_fjord<D>(length, 1.5, length, particles);
+    add_water(start, across<D>(0.0, length, 1.0));
+    return start;
 }
 
 // A slab of these proportions, with air before and behind it.
 template <int D>
-Scene<D> make_ice(long particles) {
+mpm::Start<D> make_ice(long particles, bool fracture) {
     const double length = D == 2 ? 4.0 : 2.0;
-    Scene<D> scene = make_fjord<D>(length + 0.5, 1.25, length, particles);
-    add_ice(scene, across<D>(0.25, 0.25 + length, 1.0));
-    return scene;
+    mpm::Start<D> start = make_fjord<D>(length + 0.5, 1.25, length, particles);
+    start.parameters.ice.fracture = fracture;
+    add_ice(start, across<D>(0.25, 0.25 + length, 1.0));
+    return start;
 }
 
 // Cliff of a depth's height, the water 0.8 of it; the iceberg is a cube of 0.4 and floats level.
-Scene<3> make_mixed(long particles) {
+mpm::Start<3> make_mixed(long particles) {
     constexpr double length = 3.0, level = 0.8, size = 0.4;
-    Scene<3> scene = make_fjord<3>(length, 1.5, 1.0 + (length - 1.0) * level, particles);
-    const double base = level - size * rigid_density / scene.start.parameters.water.density;
+    mpm::Start<3> start = make_fjord<3>(length, 1.5, 1.0 + (length - 1.0) * level, particles);
+    const double base = level - size * rigid_density / start.parameters.water.density;
     const Box<3> iceberg{depth * Vector<3, double>(1.8, 0.3, base),
                          depth * Vector<3, double>(1.8 + size, 0.3 + size, base + size)};
-    add_water(scene, across<3>(1.0, length, level), &iceberg);
-    add_ice(scene, across<3>(0.0, 1.0, 1.0));
+    add_water(start, across<3>(1.0, length, level), &iceberg);
+    add_ice(start, across<3>(0.0, 1.0, 1.0));
     add_body(
-        scene, Material::rigid, rigid_density, [&](const auto& point) { return iceberg.holds(point); },
+        start, Material::rigid, rigid_density, [&](const auto& point) { return iceberg.holds(point); },
         [](const auto&) { return Vector<3, double>(Vector<3, double>::Zero()); });
-    return scene;
+    return start;
 }
 
-constexpr std::array<Case, 5> all_cases{{{"water2d", 2, "water"},
+constexpr std::array<Case, 7> all_cases{{{"water2d", 2, "water"},
                                          {"water3d", 3, "water"},
                                          {"ice2d", 2, "ice"},
                                          {"ice3d", 3, "ice"},
+                                         {"elastic2d", 2, "ice"},
+                                         {"elastic3d", 3, "ice"},
                                          {"mixed3d", 3, "water+ice+rigid"}}};
 
 }  // namespace
 
-std::span<const Case> cases() {
-    return std::span(all_cases).first(knows_ice<mpm::Parameters<2>> ? all_cases.size() : 2);
+std::span<const Case> cases() { return all_cases; }
+
+template <>
+mpm::Start<2> make_scene<2>(std::string_view name, long particles) {
+    if (name == "water2d") return make_water<2>(particles);
+    return make_ice<2>(particles, name == "ice2d");
 }
 
 template <>
-Scene<2> make_scene<2>(std::string_view name, long particles) {
-    return name == "ice2d" ? make_ice<2>(particles) : make_water<2>(particles);
-}
-
-template <>
-Scene<3> make_scene<3>(std::string_view name, long particles) {
+mpm::Start<3> make_scene<3>(std::string_view name, long particles) {
     if (name == "mixed3d") return make_mixed(particles);
-    return name == "ice3d" ? make_ice<3>(particles) : make_water<3>(particles);
+    if (name == "water3d") return make_water<3>(particles);
+    return make_ice<3>(particles, name == "ice3d");
 }
 
 }  // namespace tidewater::benchmark

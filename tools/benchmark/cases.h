@@ -4,8 +4,8 @@
 //
 //     water2d, water3d   a tank of water that turns over at up to 10 m/s (in 3D along and across)
 //     ice2d, ice3d       a slab under gravity that slides at 10 m/s and is shaken lengthwise, its front
-//     harder
-//                        than its rear, so that part of it yields and the rest stays elastic
+//                        harder than its rear, so that part of it yields and the rest stays elastic
+//     elastic2d, elastic3d   the same without fracture
 //     mixed3d            an ice cliff that advances into turning water, in which an iceberg (rigid) floats
 //
 // Speeds are such that particles change their blocks as in a scene with a calving glacier.
@@ -24,17 +24,10 @@ struct Case {
     std::string_view material;
 };
 
-// Those that this engine can run.
 std::span<const Case> cases();
-
-template <int D>
-struct Scene {
-    mpm::Start<D> start;
-    std::vector<Vector<D, double>> velocity;  // m/s, of all bodies' points, in their order
-};
 
 // The scene of this case and dimension with about so many particles, at least 64 cells.
 template <int D>
-Scene<D> make_scene(std::string_view name, long particles);
+mpm::Start<D> make_scene(std::string_view name, long particles);
 
 }  // namespace tidewater::benchmark

@@ -3,7 +3,6 @@
 #include <malloc.h>
 #include <tbb/info.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -41,23 +40,9 @@ void reset_greatest_memory() {
 }
 
 template <int D, class Real>
-mpm::Simulation<D, Real> start_of(const Job& job) {
-    const Scene<D> scene = make_scene<D>(job.what.name, job.particles);
-    auto simulation = mpm::make_simulation<D, Real>(scene.start);
-    for (auto& particles : simulation.bodies) {
-        for (std::size_t p = 0; p < particles.size(); ++p) {
-            const Vector<D, double>& velocity = scene.velocity[particles.id[p]];
-            particles.velocity[p] = velocity.template cast<Real>();
-            simulation.speeds.particle = std::max(simulation.speeds.particle, velocity.norm());
-        }
-    }
-    return simulation;
-}
-
-template <int D, class Real>
 Result run(const Job& job) {
     const double before = memory("VmRSS");
-    auto simulation = start_of<D, Real>(job);
+    auto simulation = mpm::make_simulation<D, Real>(make_scene<D>(job.what.name, job.particles));
     reset_greatest_memory();
     const auto start = std::chrono::steady_clock::now();
     for (int n = 0; n < job.steps; ++n) advance(simulation, stable_time_step(simulation));

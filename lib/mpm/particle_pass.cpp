@@ -1,0 +1,174 @@
+#include "mpm/particle_pass.h"
+
+#include <algorithm>
+
+#include "mpm/transfer_batch.h"
+
+namespace tidewater::mpm {
+namespace {
+
+// One batch after the other; material.update(first, count, batch) advances strains and turns the batch's
+// velocities and gradients into momenta and their gradients.
+template <int D, class Real, class MaterialUpdate>
+void pass_particles(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
+                    Strips<D, Real>& to, Particles<D, Real>& particles, MaterialUpdate& material) {
+    TransferBatch<D, Real> batch;
+    Column<Stored<Real>> position[D];
+    const auto mass = static_cast<Real>(particles.mass);
+    const std::size_t end = particles.begin[slot + 1];
+    for (std::size_t first = particles.begin[slot]; first < end; first += batch_size) {
+        const int count = static_cast<int>(std::min<std::size_t>(batch_size, end - first));
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            load_column(particles.position[axis].data() + first, count, position[axis]);
+        }
+        locate<D, Real>(position, batch.stencil);
+        gather_batch<D, Real>(from->data(), batch);
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            advance_positions(batch.vector[axis], step.cells_per_speed, step.shift, position[axis]);
+            store_column(position[axis], count, particles.position[axis].data() + first);
+        }
+        material.update(first, count, batch);
+        locate<D, Real>(position, batch.stencil);
+        scatter_batch<D, Real>(mass, count, batch, to);
+    }
+}
+
+template <int D, class Real>
+void velocity_to_momentum(Real mass, TransferBatch<D, Real>& batch) {
+    for (auto& column : batch.vector) {
+        for (int p = 0; p < batch_size; ++p) column[p] *= mass;
+    }
+    for (auto& column : batch.gradient) {
+        for (int p = 0; p < batch_size; ++p) column[p] *= mass;
+    }
+}
+
+// J ← J (1 + Δt tr C) and τ = −J p(J) I.
+template <int D, class Real>
+struct WaterUpdate {
+    Particles<D, Real>& particles;
+    const WaterModel& water;
+    const PassContext<D, Real>& step;
+    Column<Real> least{};  // lane by lane, since a minimum over lanes would not vectorise
+
+    double least_j() const {
+        return static_cast<double>(*std::min_element(std::begin(least.value), std::end(least.value)));
+    }
+
+    void update(std::size_t first, int count, TransferBatch<D, Real>& batch) {
+        Column<Real> j, pressure;
+        load_column(particles.j.data() + first, count, j);
+        for (int p = 0; p < batch_size; ++p) {
+            Real trace = batch.gradient[0][p];
+            for (int axis = 1; axis < D; ++axis) trace += batch.gradient[axis * (D + 1)][p];
+            j[p] += (Real(1) + j[p]) * (step.cells_per_speed * trace);
+        }
+        store_column(j, count, particles.j.data() + first);
+        for (int p = 0; p < batch_size; ++p) least[p] = std::min(least[p], j[p]);
+        water_pressure(j, static_cast<Real>(water.bulk_modulus()), water.exponent, pressure);
+        velocity_to_momentum(static_cast<Real>(particles.mass), batch);
+        const auto factor = static_cast<Real>(step.impulse * particles.volume);
+        for (int axis = 0; axis < D; ++axis) {
+            Column<Real>& g = batch.gradient[axis * (D + 1)];
+            for (int p = 0; p < batch_size; ++p) g[p] += factor * (Real(1) + j[p]) * pressure[p];
+        }
+    }
+};
+
+// Strain ← (I + Δt C) b (I + Δt C)ᵀ − I, back to the yield surface where ice may fracture, and its stress.
+template <int D, class Real>
+struct IceUpdate {
+    Particles<D, Real>& particles;
+    const IceModel& model;
+    const PassContext<D, Real>& step;
+    unsigned state = 0;
+
+    void update(std::size_t first, int count, TransferBatch<D, Real>& batch) {
+        const int whole = padded(count);
+        Column<Real> increment[D * D], strain[symmetric_size<D>], alpha, stress[symmetric_size<D>];
+        for (int c = 0; c < D * D; ++c) {
+            for (int p = 0; p < batch_size; ++p)
+                increment[c][p] = step.cells_per_speed * batch.gradient[c][p];
+        }
+        for (int c = 0; c < symmetric_size<D>; ++c) load_column(strain_at(c) + first, count, strain[c]);
+        advance_strain<D, Real>(increment, whole, strain);
+        if (model.fracture) {
+            load_column(particles.alpha.data() + first, count, alpha);
+            state |= return_to_yield<D, Real>(step.ice, whole, strain, &alpha, stress);
+            store_column(alpha, count, particles.alpha.data() + first);
+        } else {
+            state |= ice_stress<D, Real>(step.ice, strain, whole, stress);
+        }
+        for (int c = 0; c < symmetric_size<D>; ++c) store_column(strain[c], count, strain_at(c) + first);
+        velocity_to_momentum(static_cast<Real>(particles.mass), batch);
+        const auto factor = static_cast<Real>(step.impulse * particles.volume);
+        for (int i = 0; i < D; ++i) {
+            for (int k = 0; k < D; ++k) {
+                const Column<Real>& tau = stress[symmetric_index(std::min(i, k), std::max(i, k))];
+                Column<Real>& g = batch.gradient[i * D + k];
+                for (int p = 0; p < batch_size; ++p) g[p] -= factor * tau[p];
+            }
+        }
+    }
+
+    Real* strain_at(int c) { return particles.strain[static_cast<std::size_t>(c)].data(); }
+    static constexpr int symmetric_index(int i, int k) { return i * D - i * (i + 1) / 2 + k; }  // i ≤ k
+};
+
+}  // namespace
+
+template <int D, class Real>
+PassContext<D, Real>::PassContext(const Simulation<D, Real>& s, double next_dt)
+    : cells_per_speed(static_cast<Real>(s.dt / s.grid.layout.cell_size)),
+      shift(static_cast<Real>(rounding_shift(s.step))),
+      impulse(4.0 * next_dt / s.grid.layout.cell_size),
+      ice(s.parameters.ice) {}
+
+template <int D, class Real>
+PassResult pass_over_block(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
+                           Simulation<D, Real>& s) {
+    Strips<D, Real> strips{};
+    PassResult result;
+    for (auto& particles : s.bodies) {
+        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
+        switch (particles.material) {
+            case Material::water: {
+                WaterUpdate<D, Real> update{particles, s.parameters.water, step};
+                pass_particles(step, slot, from, strips, particles, update);
+                result.least_j = std::min(result.least_j, update.least_j());
+                break;
+            }
+            case Material::ice: {
+                IceUpdate<D, Real> update{particles, s.parameters.ice, step};
+                pass_particles(step, slot, from, strips, particles, update);
+                result.unusable = result.unusable || (update.state & ice_unusable);
+                break;
+            }
+            case Material::rigid:
+                break;
+        }
+    }
+    Node<Real>* to = s.grid.tile(slot);
+    sum_strips<D, Real>(strips, to->data());
+    std::fill(to + Block<D>::tile_nodes, to + Block<D>::tile_size, Node<Real>::Zero());
+    std::size_t next_rigid = 0;
+    for (auto& particles : s.bodies) {
+        if (particles.material != Material::rigid) continue;
+        const RigidBody& body = s.rigid[next_rigid++];
+        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
+        const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+        scatter_rigid<D, Real>(s.grid.layout, body, block, slot, particles, to);
+    }
+    return result;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                                                               \
+    template struct PassContext<D, Real>;                                                            \
+    template PassResult pass_over_block(const PassContext<D, Real>&, std::size_t, const Node<Real>*, \
+                                        Simulation<D, Real>&);
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
+
+}  // namespace tidewater::mpm

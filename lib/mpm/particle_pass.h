@@ -1,0 +1,36 @@
+// The particles' part of a step, block by block: grid → particle, material, motion, particle → grid.
+//
+// The three kernels are separate functions over a batch of particles (mpm/transfer_batch.h, mpm/water.h,
+// mpm/ice.h); this is the loop that calls them while the batch is in the first-level cache. One instance per
+// material, chosen per block: no branch on the material inside.
+#pragma once
+
+#include "mpm/ice_yield.h"
+#include "mpm/simulation.h"
+
+namespace tidewater::mpm {
+
+// What the time step and the checks need to know of the particles of a block.
+struct PassResult {
+    double least_j = 0.0;   // of its water, at most 0
+    bool unusable = false;  // some ice has a strain that cannot be used
+};
+
+// What the blocks of one pass share.
+template <int D, class Real>
+struct PassContext {
+    Real cells_per_speed;  // Δt/Δx with Δt = s.dt
+    Real shift;            // of the rounding of positions (mpm/position.h)
+    double impulse;        // 4 Δt'/Δx with Δt' = next_dt: gradient of momentum per stress and volume
+    IceConstants<D, Real> ice;
+
+    PassContext(const Simulation<D, Real>& s, double next_dt);
+};
+
+// Reads velocities from `from` (a tile of Block<D>::tile_size nodes), advances the particles of block `slot`
+// by s.dt and adds them with the forces of next_dt to its tile of the grid, which is cleared first.
+template <int D, class Real>
+PassResult pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
+                           Simulation<D, Real>& s);
+
+}  // namespace tidewater::mpm

@@ -1,0 +1,82 @@
+#include "mpm/start.h"
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+
+#include "support/flight.h"
+#include "support/state.h"
+
+using namespace tidewater;
+using namespace tidewater::mpm;
+using test::Scene;
+
+namespace {
+
+template <int D>
+Simulation<D, float> simulation_of(Scene scene) {
+    return make_simulation<D, float>(test::flying_start<D>(scene, D == 2 ? 40 : 16, 4.0));
+}
+
+template <int D>
+bool has_strain(const Particles<D, float>& particles) {
+    for (const auto& column : particles.strain) {
+        if (column.size() == particles.size()) continue;
+        CHECK(column.empty());
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("particles have the columns of their material and no others", Dimension,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+    constexpr int D = Dimension::value;
+    for (const Scene scene : {Scene::elastic_ice, Scene::mixed}) {
+        auto s = simulation_of<D>(scene);
+        for (int n = 0; n < 30; ++n) advance(s, stable_time_step(s));
+        for (const auto& particles : s.bodies) {
+            CAPTURE(material_name(particles.material));
+            const bool ice = particles.material == Material::ice, fracture = s.parameters.ice.fracture;
+            CHECK(has_strain(particles) == ice);
+            CHECK(particles.alpha.size() == (ice && fracture ? particles.size() : 0));
+            CHECK(particles.j.size() == (particles.material == Material::water ? particles.size() : 0));
+            CHECK(particles.offset.size() == (particles.material == Material::rigid ? particles.size() : 0));
+            for (const auto& column : particles.position) CHECK(column.size() == particles.size());
+        }
+    }
+}
+
+TEST_CASE("a scene without ice has no ice columns") {
+    for (const Scene scene : {Scene::water, Scene::rigid}) {
+        const auto s = simulation_of<3>(scene);
+        for (const auto& particles : s.bodies) {
+            CHECK_FALSE(has_strain(particles));
+            CHECK(particles.alpha.empty());
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("a start has the momenta that were asked for and affine motion at its points", Dimension,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+    constexpr int D = Dimension::value;
+    for (const Scene scene : {Scene::water, Scene::elastic_ice, Scene::rigid}) {
+        const auto start = test::flying_start<D>(scene, D == 2 ? 40 : 16, 4.0);
+        const auto s = make_simulation<D, double>(start);
+        CHECK(s.time == 0.0);
+        CHECK(s.dt == 0.0);
+        const auto state = test::read_state(s);
+        const auto& body = start.bodies[0];
+        test::State<D> asked = state;
+        asked.v = body.velocity, asked.c = body.gradient;
+        const auto is = test::momenta_of(state, start.cell_size),
+                   shall = test::momenta_of(asked, start.cell_size);
+        CHECK((is.linear - shall.linear).norm() < 1e-13 * shall.linear.norm());
+        CHECK((is.angular - shall.angular).norm() < 1e-13 * shall.linear.norm());
+        for (std::size_t p = 0; p < state.x.size(); ++p) {
+            CHECK((state.v[p] - body.velocity[p]).norm() < 1e-13);
+            CHECK((state.c[p] - body.gradient[p]).norm() < 1e-12);
+        }
+    }
+}
