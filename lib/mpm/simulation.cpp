@@ -71,7 +71,7 @@ template <int D, class Real>
 [[noreturn]] void fail_at_bad_particle(const Simulation<D, Real>& s) {
     std::string what = bad_particle(s);
     if (what.empty()) what = "some ice is strained beyond what elastic ice can bear";
-    throw NumericsError(where(s, "particles") + what + remedy);
+    throw NumericsError(where(s, "pass") + what + remedy);
 }
 
 template <int D, class Real>
@@ -125,7 +125,7 @@ double greatest_speed2(const Node<Real>* nodes) {
 template <int D, class Real>
 [[noreturn]] void fail_at_bad_node(const Simulation<D, Real>& s, std::size_t slot) {
     if (const std::string what = bad_particle(s); !what.empty()) {
-        throw NumericsError(where(s, "particles") + what + remedy);
+        throw NumericsError(where(s, "pass") + what + remedy);
     }
     const Index<D> block = block_at<D>(s.grid.node_blocks[slot]);
     std::string place;
@@ -211,7 +211,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     sort_if_needed(s);
     clock = charge(s, Phase::sort, clock);
     move_particles(s, next_dt);
-    clock = charge(s, Phase::particles, clock);
+    clock = charge(s, Phase::pass, clock);
     update_grid(s, next_dt);
     clock = charge(s, Phase::grid, clock);
     update_rigid(s);

@@ -3,7 +3,7 @@
 // Between steps a particle keeps its place and its strain only; velocities are on the grid. advance(s, next)
 // is one step, in these stages; each is a parallel loop over blocks that write only their own data:
 //     sort        only when a particle might leave its block's margin
-//     particles   nodes → particles (G2P), strain and position advance by s.dt, then particles → tiles (P2G)
+//     pass        nodes → particles (G2P), strain and position advance by s.dt, then particles → tiles (P2G)
 //                 with the forces of the coming step `next`: all while a batch of particles is in the cache
 //     grid        tiles → nodes, momentum → velocity, gravity, rigid bodies' nodes, walls
 //     rigid       each body takes over its particles' momentum
@@ -43,8 +43,8 @@ struct Speeds {
     double sound = 0.0;     // greatest c, m/s; 0 without water and ice
 };
 
-enum class Phase { sort, particles, grid, rigid };
-inline constexpr std::array<std::string_view, 4> phase_names{"sort", "particles", "grid", "rigid"};
+enum class Phase { sort, pass, grid, rigid };
+inline constexpr std::array<std::string_view, 4> phase_names{"sort", "pass", "grid", "rigid"};
 
 template <int D, class Real>
 struct Simulation {

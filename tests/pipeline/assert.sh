@@ -18,7 +18,7 @@ case_named() {
 }
 
 fail_case() {
-    printf 'FAILED: %s (%s:%s)\n%s\n' "$current_case" "${BASH_SOURCE[2]##*/}" "${BASH_LINENO[1]}" "$1"
+    printf 'FAILED: %s (%s:%s)\n%s\n' "$current_case" "$(basename "$0")" "${BASH_LINENO[-2]}" "$1"
     exit 1
 }
 

@@ -10,7 +10,7 @@ export LC_ALL=C # for the point in EPOCHREALTIME
 checkpoint=cut/simulate/checkpoint.h5
 
 # A few seconds of a block in water; a checkpoint at every turn.
-options=(--set simulate.end_time=2 --set simulate.checkpoint_interval=0.02 --threads 2)
+options=(--set simulate.end_time=6 --set simulate.checkpoint_interval=0.02 --threads 2)
 # simulate FOLDER [OPTION...]
 simulate() { run "$bin/tidewater-simulate" tiny.toml --run "$1" "${options[@]}" "${@:2}"; }
 # in_background [OPTION...] begins or goes on with the run in cut; $process is its number.
@@ -197,7 +197,7 @@ case_named "a run that leaves what can be computed ends with 4 and names its las
 stopped_run /state/body0.j nan
 simulate cut
 expect_code 4
-expect_line "has a velocity that is not a number"
+expect_line "has a strain that is not a number"
 expect_line "the same command goes on from $checkpoint, t = 0.73 s"
 expect_file "$checkpoint"
 
