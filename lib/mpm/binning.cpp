@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 
@@ -14,15 +17,20 @@ namespace tidewater::mpm {
 namespace {
 
 template <int D>
-[[noreturn]] void fail_escaped(std::uint32_t id, const Vector<D, double>& point) {
+std::string place_text(const Vector<D, double>& point) {
     std::string text;
     for (int axis = 0; axis < D; ++axis) {
         char number[32];
         std::snprintf(number, sizeof number, "%s%.6g", axis > 0 ? ", " : "", point[axis]);
         text += number;
     }
-    throw NumericsError("particle " + std::to_string(id) + " left the tank at (" + text +
-                        ") m, found while sorting particles; use a smaller simulate.cfl or a higher tank");
+    return "(" + text + ") m";
+}
+
+template <int D>
+[[noreturn]] void fail_escaped(std::uint32_t id, const Vector<D, double>& point) {
+    throw NumericsError("particle " + std::to_string(id) + " left the tank at " + place_text<D>(point) +
+                        ", found while sorting particles; use a smaller simulate.cfl or a higher tank");
 }
 
 template <class Values>
@@ -46,7 +54,10 @@ BlockKey key_at(const Layout<D>& layout, const Vector<D, double>& point, std::ui
     Index<D> block;
     for (std::size_t axis = 0; axis < D; ++axis) {
         const double x = point[static_cast<int>(axis)] / layout.cell_size;
-        if (!(x >= -1.0 && x <= layout.cells[axis] + 1.0)) fail_escaped<D>(id, point);
+        if (!(x >= -1.0 && x <= layout.cells[axis] + 1.0)) {
+            throw NumericsError("particle " + std::to_string(id) + " starts outside of the tank, at " +
+                                place_text<D>(point));
+        }
         block[axis] = static_cast<int>(std::floor(x / Block<D>::width)) + 2;
     }
     return block_key<D>(block);
@@ -168,6 +179,9 @@ void place(const std::vector<std::span<const Vector<D, double>>>& points, Grid<D
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         Particles<D, Real>& particles = bodies[body];
         const std::size_t count = points[body].size();
+        if (count > std::numeric_limits<std::uint32_t>::max() - next_id) {
+            throw NumericsError("more than 4.29e9 particles; use larger cells");
+        }
         particles.id.resize(count);
         std::iota(particles.id.begin(), particles.id.end(), next_id);
         next_id += static_cast<std::uint32_t>(count);

@@ -13,12 +13,13 @@ namespace tidewater::mpm {
 // Makes particles at these points (m) and sorts them into the blocks of the grid, which holds nothing yet.
 //     points      [body][particle]
 //     bodies      [body] position, id and begin are written; columns that are filled already are sorted along
-// Ids count up through all bodies. Throws NumericsError if a point lies outside of the box.
+// Ids count up through all bodies. Throws NumericsError if a point lies more than a cell
+// outside of the box.
 template <int D, class Real>
 void place(const std::vector<std::span<const Vector<D, double>>>& points, Grid<D, Real>& grid,
            std::span<Particles<D, Real>> bodies);
 
-// Sorts particles that moved by less than a block since they were sorted into the blocks that they are in
+// Sorts particles that moved by less than half a cell since they were sorted into the blocks that they are in
 // now; nodes keep their values. Throws NumericsError naming the particle if one is more than a cell beyond a
 // wall.
 template <int D, class Real>

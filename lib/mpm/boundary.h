@@ -26,7 +26,7 @@ struct WallAction {
     Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
 };
 
-// Applies the walls to the velocities of one block of nodes; `block` as in Layout::block_at.
+// Applies the walls to the velocities of one block of nodes; `block` as block_at gives it.
 template <int D, class Real>
 WallAction<D> apply_walls(const Layout<D>& layout, const Walls<D>& walls, const Index<D>& block,
                           Node<Real>* nodes);

@@ -34,7 +34,7 @@ struct Layout {
 };
 
 // The Morton key of a block: the bits of its numbers interleaved, the last axis' lowest. Each number must be
-// in [0, 2^31) in 2D and [0, 2^21) in 3D: 34 billion cells per axis in 2D, 8 million in 3D.
+// in [0, 2^31) in 2D and [0, 2^21) in 3D: 2 billion cells per axis in 2D, 8 million in 3D.
 template <int D>
 BlockKey block_key(const Index<D>& block);
 

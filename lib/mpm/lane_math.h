@@ -1,5 +1,6 @@
 // Roots, logarithm and hyperbolic sine that a compiler can put into vector lanes: plain arithmetic, no calls,
-// no branches, no tables. Nothing relies on a fused a·b + c, so every build gives the same bits.
+// no branches, no tables. Accurate with and without a fused a·b + c; the last bits differ
+// between builds that fuse and builds that do not.
 //
 //                     valid for                            largest error of float / double
 //     lane_sqrt       x ≥ 0                                correctly rounded

@@ -106,7 +106,7 @@ struct IceUpdate {
             for (int k = 0; k < D; ++k) {
                 const Column<Real>& tau = stress[symmetric_index(std::min(i, k), std::max(i, k))];
                 Column<Real>& g = batch.gradient[i * D + k];
-                for (int p = 0; p < batch_size; ++p) g[p] -= factor * tau[p];
+                for (int p = 0; p < whole; ++p) g[p] -= factor * tau[p];
             }
         }
     }

@@ -21,14 +21,16 @@ template <int D, class Real>
 struct PassContext {
     Real cells_per_speed;  // Δt/Δx with Δt = s.dt
     Real shift;            // of the rounding of positions (mpm/position.h)
-    double impulse;        // 4 Δt'/Δx with Δt' = next_dt: gradient of momentum per stress and volume
+    double impulse;        // 4 Δt'/Δx with Δt' = next_dt, s/m: gradient of momentum per stress and volume
     IceConstants<D, Real> ice;
 
     PassContext(const Simulation<D, Real>& s, double next_dt);
 };
 
 // Reads velocities from `from` (a tile of Block<D>::tile_size nodes), advances the particles of block `slot`
-// by s.dt and adds them with the forces of next_dt to its tile of the grid, which is cleared first.
+// by s.dt and adds them with the forces of next_dt to its tile of the grid, which is cleared first. Before
+// and after, positions must lie within ½ cell of the block: the caller sorts in time. Blocks may run in
+// parallel. Test: tests/unit/mpm/twin_test.cpp.
 template <int D, class Real>
 PassResult pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
                            Simulation<D, Real>& s);

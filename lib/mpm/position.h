@@ -30,7 +30,7 @@ struct StoredPosition<double> {
 template <class Real>
 using Stored = typename StoredPosition<Real>::Type;
 
-inline constexpr int fraction_bits = 26;
+inline constexpr int fraction_bits = 26;  // with another number, raise the format_version of checkpoints
 inline constexpr double units_per_cell = 1 << fraction_bits;
 
 inline double cells_of(std::int32_t position) { return position / units_per_cell; }

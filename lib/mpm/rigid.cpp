@@ -1,5 +1,6 @@
 #include "mpm/rigid.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -124,8 +125,9 @@ WallContact stop_at_walls(const Grid<D, Real>& grid, const Particles<D, Real>& p
         if (beyond.count == 0.0) continue;
         const Eigen::Vector3d normal = lift<D>(Vector<D, double>::Unit(axis) * outward);
         const Eigen::Vector3d arm = beyond.sum / beyond.count - body.center;
-        body.center -= beyond.deepest * normal;
-        contact.correction += beyond.deepest;
+        const double correction = std::min(beyond.deepest, greatest_correction * grid.layout.cell_size);
+        body.center -= correction * normal;
+        contact.correction = std::max(contact.correction, correction);
         const double approach = (body.velocity + body.angular_velocity.cross(arm)).dot(normal);
         if (approach <= 0.0) continue;
         const Eigen::Vector3d lever = arm.cross(normal);
@@ -163,6 +165,9 @@ RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double c
         body.radius = std::max(body.radius, r.norm());
         particles.offset.push_back(drop<D>(r).template cast<Real>());
     }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(body.inertia, Eigen::EigenvaluesOnly);
+    const double least = D == 2 ? body.inertia(1, 1) : principal.eigenvalues()[0];
+    body.swing = std::sqrt(1.0 + body.mass * body.radius * body.radius / least);
     return body;
 }
 
@@ -207,6 +212,8 @@ void scatter_rigid(const Layout<D>& layout, const RigidBody& body, const Index<D
                          gradient, tile);
     }
 }
+
+double RigidBody::speed_bound() const { return swing * std::sqrt(2.0 * kinetic_energy(*this) / mass); }
 
 double kinetic_energy(const RigidBody& body) {
     return 0.5 * body.mass * body.velocity.squaredNorm() +

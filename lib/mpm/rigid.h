@@ -36,7 +36,12 @@ struct RigidBody {
     Eigen::Vector3d center_in_box(double cell_size) const {  // m from the box's corner
         return center + cell_size * Eigen::Vector3d(anchor[0], anchor[1], anchor[2]);
     }
-    double greatest_speed() const { return velocity.norm() + radius * angular_velocity.norm(); }  // m/s
+    double swing =
+        1.0;  // √(1 + R²/k²) with M k² the least moment of inertia about an axis that it can turn about
+
+    // No particle is faster, not even after the body touches a wall, which may turn all of its energy into
+    // rotation but never adds any: |V + ω × r| ≤ swing √(2 E/M), m/s.
+    double speed_bound() const;
 };
 
 // The anchor as an index of D axes.
@@ -54,9 +59,13 @@ template <int D, class Real>
 RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double cell_size,
                           Particles<D, Real>& particles);
 
+// By how many cells a wall pushes a body back in one step at most, so that no particle leaves its tile.
+inline constexpr double greatest_correction = 0.05;
+
 struct WallContact {
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  // that the walls gave to the body, kg m/s
-    double correction = 0.0;                            // by which they pushed it back, m
+    double correction =
+        0.0;  // by which they pushed it back along any axis: its particles follow when it moves next, m
 };
 
 // Gives the body the momentum that its particles read from the grid and stops it at the walls.

@@ -39,7 +39,7 @@ struct Parameters {
 
 // What the time step depends on.
 struct Speeds {
-    double particle = 0.0;  // at least the greatest |v|: that of a node or of a rigid body, m/s
+    double particle = 0.0;  // the greatest |v| of a node, or a rigid body's bound where that is more, m/s
     double sound = 0.0;     // greatest c, m/s; 0 without water and ice
 };
 
@@ -58,6 +58,7 @@ struct Simulation {
     long step = 0;
     Speeds speeds;
     double drift = 0.0;  // cells that a particle may have moved since the last sort
+    double push = 0.0;   // cells by which walls moved a rigid body ahead of its particles
 
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that the walls gave since the start
     double gravity_impulse = 0.0;                                // along the last axis, likewise

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "mpm/binning.h"
+#include "mpm/lift.h"
 #include "mpm/motion.h"
 
 namespace tidewater::mpm {
@@ -108,8 +109,11 @@ Simulation<D, Real> make_simulation(const Start<D>& start) {
     std::size_t next = 0;
     for (const auto& particles : s.bodies) {
         if (particles.material != Material::rigid) continue;
-        take_over_momentum(s.grid, particles, s.rigid[next]);
-        s.speeds.particle = std::max(s.speeds.particle, s.rigid[next++].greatest_speed());
+        RigidBody& body = s.rigid[next++];
+        const WallContact contact = take_over_momentum(s.grid, particles, body);
+        s.wall_impulse += drop<D>(contact.impulse);
+        s.push = std::max(s.push, contact.correction / start.cell_size);
+        s.speeds.particle = std::max(s.speeds.particle, body.speed_bound());
     }
     return s;
 }

@@ -4,10 +4,12 @@
 //     save    visit_state(s, writer)
 //     load    s = make_simulation(start);  visit_state(s, reader);  relink(s)
 //
-// A loaded simulation goes on to the same bits as the saved one. Whoever adds a member to Simulation,
+// A loaded simulation goes on to the same bits as the saved one. A change of Block, of fraction_bits or of
+// what a value means needs a new format_version of checkpoints. Whoever adds a member to Simulation,
 // Particles, Grid or RigidBody that the next step reads adds a line here. Test: tests/unit/mpm/state_test.cpp
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -25,6 +27,7 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("speeds.particle", s.speeds.particle);
     visit("speeds.sound", s.speeds.sound);
     visit("drift", s.drift);
+    visit("push", s.push);
     visit("wall_impulse", s.wall_impulse);
     visit("gravity_impulse", s.gravity_impulse);
     visit("particle_blocks", s.grid.particle_blocks);
@@ -49,19 +52,37 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
         visit(of + "inertia", rigid.inertia);
         visit(of + "mass", rigid.mass);
         visit(of + "radius", rigid.radius);
+        visit(of + "swing", rigid.swing);
     }
 }
 
-// Makes what follows from the state: tiles and the links between them and nodes.
+// Makes what follows from the state: tiles and the links between them and nodes. False if arrays do not fit
+// each other, as those of a build with other blocks would; then the simulation cannot be used.
 template <int D, class Real>
-void relink(Simulation<D, Real>& s) {
+bool relink(Simulation<D, Real>& s) {
+    const auto& keys = s.grid.particle_blocks;
+    for (std::size_t slot = 1; slot < keys.size(); ++slot) {
+        if (keys[slot - 1] >= keys[slot]) return false;
+    }
+    for (const auto& particles : s.bodies) {
+        const auto& begin = particles.begin;
+        if (begin.size() != keys.size() + 1 || !std::is_sorted(begin.begin(), begin.end())) return false;
+        if (begin.front() != 0 || begin.back() != particles.size()) return false;
+        bool fits = true;
+        for_each_column(particles, [&](const std::string&, const auto& column) {
+            fits = fits && (column.empty() || column.size() == particles.size());
+        });
+        if (!fits || particles.position[0].size() != particles.size()) return false;
+    }
     std::vector<BlockKey> blocks = std::move(s.grid.particle_blocks);
     std::vector<Node<Real>> nodes = std::move(s.grid.nodes);
     s.grid.particle_blocks.clear();
     s.grid.node_blocks.clear();
     s.grid.nodes.clear();
     activate(s.grid, std::move(blocks));
+    if (s.grid.nodes.size() != nodes.size()) return false;
     s.grid.nodes = std::move(nodes);
+    return true;
 }
 
 }  // namespace tidewater::mpm

@@ -26,8 +26,8 @@ struct Block {
     static constexpr int nodes = power(width, D);
     static constexpr int tile_width = width + 3;
     static constexpr int tile_nodes = power(tile_width, D);
-    // In memory a tile is whole cache lines, with at least one node after its last: kernels touch four nodes
-    // in a row where a particle has three.
+    // In memory a tile has at least one node after its last: kernels touch four nodes in a row where a
+    // particle has three.
     static constexpr int tile_size = (tile_nodes + 4) / 4 * 4;
     static constexpr int neighbours = power(3, D);  // itself included
 };
@@ -51,6 +51,7 @@ inline void for_each_node(const Vector<D, double>& position, const Visit& visit)
     Vector<D, Real> f;  // from the nearest node, in [−½, ½)
     for (int axis = 0; axis < D; ++axis) {
         nearest[axis] = static_cast<int>(position[axis] + 1.5) - 1;
+        assert(nearest[axis] >= 0 && nearest[axis] <= Block<D>::width);
         f[axis] = static_cast<Real>(position[axis] - nearest[axis]);
         const Real below = Real(0.5) - f[axis], above = Real(0.5) + f[axis];
         weight[axis][0] = Real(0.5) * below * below;

@@ -1,5 +1,7 @@
 #include "mpm/transfer_batch.h"
 
+#include <cassert>
+
 #include "mpm/row.h"
 
 namespace tidewater::mpm {
@@ -120,6 +122,7 @@ void locate(const Column<Stored<Real>>* position, StencilBatch<D, Real>& s) {
     for (int axis = 0; axis < D; ++axis) {
         for (int p = 0; p < batch_size; ++p) {
             const std::int32_t node = nearest_node(position[axis][p]);
+            assert(node >= 0 && node <= Block<D>::width);
             const Real f = from_node(position[axis][p], node);
             // The tile begins at node −1, the stencil one node below the nearest: tile index and node agree.
             s.first[p] = s.first[p] * Block<D>::tile_width + node;

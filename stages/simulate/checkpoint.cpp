@@ -92,7 +92,7 @@ RunState Checkpoint::load(const std::filesystem::path& path, mpm::Simulation<D, 
     RunState run;
     run.visit(io::ColumnReader(file, "/run"));
     visit_state(simulation, io::ColumnReader(file, "/state"));
-    relink(simulation);
+    if (!relink(simulation)) file.fail("its arrays do not fit each other or this build's blocks");
     require_frames(run, path);
     if (std::filesystem::exists(path_) && std::filesystem::equivalent(path, path_))
         last_time_ = simulation.time;
@@ -124,9 +124,11 @@ void Checkpoint::remove() const {
         throw OutputError(path_.string() + ": cannot be removed: " + error.message() + "; remove it by hand");
 }
 
-std::string Checkpoint::last_good() const {
+std::string Checkpoint::last_good(const Error& error) const {
     if (last_time_ < 0.0) return {};
-    return "; the same command goes on from " + path_.string() + ", " + time_text(last_time_);
+    const std::string checkpoint = path_.string() + ", " + time_text(last_time_);
+    if (error.code() != ExitCode::numerics) return "; the same command goes on from " + checkpoint;
+    return "; what it wrote remains, and " + checkpoint + "; with other settings begin anew, by --from start";
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                           \

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/stage.h"
+#include "core/error.h"
 #include "io/hdf5_file.h"
 #include "mpm/simulation.h"
 
@@ -18,6 +19,7 @@ struct RunState {
     double seconds = 0.0;                             // of wall time spent on it
     std::int64_t rows = 0;                            // of the schedule of rows: times that have come up
     std::int64_t frames = 0;                          // of frames
+    std::int64_t wrote = 0;                           // 1 if a row or frame is of this very time
     std::vector<double> frame_times;                  // of the frames that lie in the folder, s
     std::string gauges, ledger;                       // the tables so far
     double start_energy = 0.0, highest_energy = 0.0;  // J
@@ -29,6 +31,7 @@ struct RunState {
         visit("seconds", seconds);
         visit("rows", rows);
         visit("frames", frames);
+        visit("wrote", wrote);
         visit("frame_times", frame_times);
         visit("gauges", gauges);
         visit("ledger", ledger);
@@ -66,8 +69,9 @@ public:
     void remove() const;
     const std::filesystem::path& path() const { return path_; }
 
-    // "; the same command goes on from <path>, t = 1.5 s": the last good checkpoint. Empty if there is none.
-    std::string last_good() const;
+    // What can be done with the last good checkpoint after this error, "; the same command goes on from
+    // <path>, t = 1.5 s" for instance. Empty if there is none.
+    std::string last_good(const Error& error) const;
 
 private:
     std::string difference(const io::Hdf5Reader& file) const;

@@ -54,11 +54,16 @@ void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Ch
     Records<D, Real> records(context.scene, context.folder, context.provenance);
     if (earlier.begun()) records.resume(earlier);
     Run<D, Real> run(context, s, checkpoint, records, log, earlier, started);
-    if (!run.to_end()) {
-        records.keep_parts();
-        log.line(format("stopped by --until at t = %.6g s, step %ld", s.time, s.step) +
-                 checkpoint.last_good());
-        return log.finish();
+    try {
+        if (!run.to_end()) {
+            records.keep_parts();
+            log.line(format("stopped by --until at t = %.6g s, step %ld", s.time, s.step) +
+                     "; the same command goes on from " + checkpoint.path().string());
+            return log.finish();
+        }
+    } catch (const Error&) {
+        records.keep_parts();  // the curves up to here tell what went wrong
+        throw;
     }
     log_summary(s, records, seconds_since(started), first_step, log);
     log.finish();
@@ -91,7 +96,7 @@ void simulate(StageContext& context) {
         if (!checkpoint.note().empty()) log.line(checkpoint.note());
         run_simulation(context, s, checkpoint, earlier, log, started);
     } catch (const Error& error) {
-        const std::string line = error.what() + checkpoint.last_good();
+        const std::string line = error.what() + checkpoint.last_good(error);
         log.quiet_line(line);  // the stage says it on standard error
         log.finish();
         throw Error(error.code(), line);

@@ -16,7 +16,7 @@ std::string time_step_line(const mpm::Simulation<D, Real>& s) {
     const double sum = speeds.sound + speeds.particle;
     const double step = mpm::stable_time_step(s);
     if (sum == 0.0 || step < s.parameters.cfl * s.grid.layout.cell_size / sum)
-        return format("dt %.3g s, limited by gravity (a fall from rest)", step);
+        return format("dt %.3g s, in which nothing moves or falls by more than 0.4 cells", step);
     return format("dt %.3g s = %g x %g m / (sound %.4g m/s + particles %.3g m/s), limited by %s (%.0f %%)",
                   step, s.parameters.cfl, s.grid.layout.cell_size, speeds.sound, speeds.particle,
                   speeds.sound >= speeds.particle ? "the sound speed" : "the fastest particle",
@@ -24,9 +24,7 @@ std::string time_step_line(const mpm::Simulation<D, Real>& s) {
 }
 
 // `time`, or the time of a schedule if it is one but for rounding.
-double snapped(double time) {
-    return std::abs(time - rounded(time)) < 1e-12 * (1.0 + time) ? rounded(time) : time;
-}
+double snapped(double time) { return std::abs(time - rounded(time)) < 1e-13 * time ? rounded(time) : time; }
 
 }  // namespace
 
@@ -46,7 +44,7 @@ Run<D, Real>::Run(const StageContext& context, mpm::Simulation<D, Real>& simulat
       rows_(simulate_.gauge_interval, earlier.rows),
       frames_(simulate_.snapshot_interval, earlier.frames),
       progress_("simulate", s_.time / simulate_.end_time),
-      wrote_(earlier.begun()),
+      wrote_(earlier.wrote != 0),
       earlier_seconds_(earlier.seconds),
       started_(started) {}
 
@@ -115,9 +113,14 @@ void Run<D, Real>::save() {
     run.seconds = earlier_seconds_ + seconds_since(started_);
     run.rows = rows_.past();
     run.frames = frames_.past();
+    run.wrote = wrote_;
     records_.store(run);
+    const auto begun = Clock::now();
     checkpoint_.save(s_, run);
     last_save_ = Clock::now();
+    log_.quiet_line(format("checkpoint at t %.4g s: %.3g MB in %.2g s", s_.time,
+                           1e-6 * static_cast<double>(std::filesystem::file_size(checkpoint_.path())),
+                           seconds_since(begun)));
 }
 
 template <int D, class Real>

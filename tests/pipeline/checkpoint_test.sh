@@ -166,6 +166,10 @@ cp stopped/simulate/frame_0000.hdf "$checkpoint"
 refuses "$checkpoint: it is an HDF5 file but no tidewater checkpoint; --from start begins the run anew"
 stopped_run format_version 2
 refuses "$checkpoint: its format version 2 is newer than this program's 1; --from start begins the run anew"
+for array in particle_blocks body0.begin body1.begin; do
+    stopped_run "/state/$array" 5
+    refuses "$checkpoint: its arrays do not fit each other"
+done
 refuses "nothing.h5: the file does not exist" --from nothing.h5
 simulate cut --from start --until 0
 expect_code 0
@@ -198,8 +202,9 @@ stopped_run /state/body0.j nan
 simulate cut
 expect_code 4
 expect_line "has a strain that is not a number"
-expect_line "the same command goes on from $checkpoint, t = 0.73 s"
+expect_line "what it wrote remains, and $checkpoint, t = 0.73 s"
 expect_file "$checkpoint"
+expect_file cut/simulate/ledger.csv.part
 
 case_named "a frame that is missing or of another run is told"
 stopped_run

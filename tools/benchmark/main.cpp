@@ -16,6 +16,7 @@ struct Options {
     std::vector<std::string> cases, precisions{"float"};
     std::vector<int> threads{0}, steps{200};
     std::vector<long> particles{1'000'000};
+    int repeat = 1;
 };
 
 void declare(CLI::App& app, Options& options) {
@@ -28,6 +29,9 @@ void declare(CLI::App& app, Options& options) {
         ->capture_default_str();
     app.add_option("--steps", options.steps, "steps that are timed")
         ->check(CLI::Range(1, 1'000'000'000))
+        ->capture_default_str();
+    app.add_option("--repeat", options.repeat, "a row is the fastest of so many runs")
+        ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     app.add_option("--threads", options.threads, "0: all cores")
         ->check(CLI::Range(0, 1024))
@@ -46,7 +50,7 @@ std::vector<Job> jobs_of(const Options& options) {
             for (const int threads : options.threads)
                 for (const long particles : options.particles)
                     for (const int steps : options.steps)
-                        jobs.push_back({what, precision, threads, particles, steps});
+                        jobs.push_back({what, precision, threads, particles, steps, options.repeat});
     }
     return jobs;
 }

@@ -13,6 +13,7 @@ struct Job {
     int threads = 0;        // 0: all cores
     long particles = 0;     // about so many
     int steps = 0;
+    int repeat = 1;  // the fastest of so many counts
 };
 
 // The names of the columns.

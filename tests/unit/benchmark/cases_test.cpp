@@ -54,6 +54,29 @@ double mean_speed(const mpm::Start<D>& scene) {
     return sum.norm() / static_cast<double>(scene.bodies[0].velocity.size());
 }
 
+// The share of ice whose α is no longer that of the start.
+template <int D>
+double changed_share(const mpm::Simulation<D, float>& s) {
+    const auto initial = static_cast<float>(s.parameters.ice.initial_alpha());
+    const auto& alpha = s.bodies[0].alpha;
+    const auto changed = std::ranges::count_if(alpha, [&](float a) { return a != initial; });
+    return static_cast<double>(changed) / static_cast<double>(alpha.size());
+}
+
+template <int D>
+void check_yields_in_part(std::string_view name, long particles) {
+    auto s = mpm::make_simulation<D, float>(make_scene<D>(name, particles));
+    REQUIRE(s.bodies[0].alpha.size() > 0);
+    CHECK(changed_share<D>(s) == 0.0);
+    for (const int steps : {25, 60}) {
+        while (s.step < steps) advance(s, stable_time_step(s));
+        const double share = changed_share<D>(s);
+        MESSAGE(name << ": " << 100.0 * share << " % of " << s.particle_count()
+                     << " particles have another α after " << steps << " steps");
+        if (steps == 60) CHECK((share > 0.05 && share < 0.8));
+    }
+}
+
 }  // namespace
 
 TEST_CASE("every case has about the wanted number of particles, in the box, with their body's density") {
@@ -104,4 +127,9 @@ TEST_CASE("the same case is the same scene") {
     const mpm::Start<2> first = make_scene<2>("water2d", 5000), second = make_scene<2>("water2d", 5000);
     CHECK(first.bodies[0].points == second.bodies[0].points);
     CHECK(first.bodies[0].velocity == second.bodies[0].velocity);
+}
+
+TEST_CASE("ice2d and ice3d yield in part") {
+    check_yields_in_part<2>("ice2d", 20000);
+    check_yields_in_part<3>("ice3d", 20000);
 }

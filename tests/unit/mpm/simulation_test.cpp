@@ -98,8 +98,8 @@ TEST_CASE("a simulation without particles has nothing to do and gravity bounds i
 TEST_CASE("a point outside of the tank is refused with its place") {
     Start<2> start = test::tank_start<2>(0.1, {10, 10}, 0.5, 10.0);
     start.bodies[0].points[0] = {5.0, 0.5};
-    CHECK_THROWS_WITH_AS((make_simulation<2, float>(start)), doctest::Contains("left the tank at (5, 0.5) m"),
-                         NumericsError);
+    CHECK_THROWS_WITH_AS((make_simulation<2, float>(start)),
+                         doctest::Contains("starts outside of the tank, at (5, 0.5) m"), NumericsError);
 }
 
 TEST_CASE("a strain that is not a number stops the run and names the place") {
