@@ -61,7 +61,7 @@ void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Ch
                      "; the same command goes on from " + checkpoint.path().string());
             return log.finish();
         }
-    } catch (const Error&) {
+    } catch (const NumericsError&) {
         records.keep_parts();  // the curves up to here tell what went wrong
         throw;
     }
