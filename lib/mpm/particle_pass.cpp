@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mpm/ice_lane.h"
 #include "mpm/transfer_batch.h"
 
 namespace tidewater::mpm {
@@ -104,7 +105,7 @@ struct IceUpdate {
         const auto factor = static_cast<Real>(step.impulse * particles.volume);
         for (int i = 0; i < D; ++i) {
             for (int k = 0; k < D; ++k) {
-                const Column<Real>& tau = stress[symmetric_index(std::min(i, k), std::max(i, k))];
+                const Column<Real>& tau = stress[ice_lane::column<D>(i, k)];
                 Column<Real>& g = batch.gradient[i * D + k];
                 for (int p = 0; p < whole; ++p) g[p] -= factor * tau[p];
             }
@@ -112,7 +113,6 @@ struct IceUpdate {
     }
 
     Real* strain_at(int c) { return particles.strain[static_cast<std::size_t>(c)].data(); }
-    static constexpr int symmetric_index(int i, int k) { return i * D - i * (i + 1) / 2 + k; }  // i ≤ k
 };
 
 }  // namespace
