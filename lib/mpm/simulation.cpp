@@ -90,17 +90,7 @@ void move_particles(Simulation<D, Real>& s, double next_dt) {
         all.unusable = all.unusable || result.unusable;
     }
     if (all.unusable || !(all.least_j > -1.0)) fail_at_bad_particle(s);
-    s.speeds.sound = 0.0;
-    for (const auto& particles : s.bodies) {
-        double speed = 0.0;
-        if (particles.material == Material::water) {
-            speed = s.parameters.water.sound_speed *
-                    water_sound_speed_ratio(all.least_j, s.parameters.water.exponent);
-        } else if (particles.material == Material::ice) {
-            speed = s.parameters.ice.wave_speed(D);
-        }
-        s.speeds.sound = std::max(s.speeds.sound, speed);
-    }
+    update_sound(s, all.least_j);
 }
 
 // The greatest |v|² of a block's nodes; NaN if a velocity is not finite.
@@ -174,6 +164,30 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     }
 }
 
+}  // namespace
+
+template <int D, class Real>
+std::size_t Simulation<D, Real>::particle_count() const {
+    std::size_t count = 0;
+    for (const auto& particles : bodies) count += particles.size();
+    return count;
+}
+
+template <int D, class Real>
+void update_sound(Simulation<D, Real>& s, double least_j) {
+    s.speeds.sound = 0.0;
+    for (const auto& particles : s.bodies) {
+        double speed = 0.0;
+        if (particles.material == Material::water) {
+            speed = s.parameters.water.sound_speed *
+                    water_sound_speed_ratio(least_j, s.parameters.water.exponent);
+        } else if (particles.material == Material::ice) {
+            speed = s.parameters.ice.wave_speed(D);
+        }
+        s.speeds.sound = std::max(s.speeds.sound, speed);
+    }
+}
+
 template <int D, class Real>
 void update_rigid(Simulation<D, Real>& s) {
     std::size_t next = 0;
@@ -186,15 +200,6 @@ void update_rigid(Simulation<D, Real>& s) {
         s.speeds.particle = std::max(s.speeds.particle, body.speed_bound());
         s.wall_impulse += drop<D>(contact.impulse);
     }
-}
-
-}  // namespace
-
-template <int D, class Real>
-std::size_t Simulation<D, Real>::particle_count() const {
-    std::size_t count = 0;
-    for (const auto& particles : bodies) count += particles.size();
-    return count;
 }
 
 template <int D, class Real>
@@ -240,6 +245,8 @@ std::uint64_t state_hash(const Simulation<D, Real>& s) {
     template struct Simulation<D, Real>;                          \
     template double stable_time_step(const Simulation<D, Real>&); \
     template void advance(Simulation<D, Real>&, double);          \
+    template void update_sound(Simulation<D, Real>&, double);     \
+    template void update_rigid(Simulation<D, Real>&);             \
     template std::uint64_t state_hash(const Simulation<D, Real>&);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)

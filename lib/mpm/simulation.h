@@ -77,6 +77,13 @@ double stable_time_step(const Simulation<D, Real>& simulation);
 template <int D, class Real>
 void advance(Simulation<D, Real>& simulation, double next_dt);
 
+// What advance does and make_simulation begins with: the greatest sound speed, with least_j ≤ 0 the least j
+// of the water; and each rigid body takes over the momentum on the grid, stopped by the walls.
+template <int D, class Real>
+void update_sound(Simulation<D, Real>& simulation, double least_j);
+template <int D, class Real>
+void update_rigid(Simulation<D, Real>& simulation);
+
 // Fingerprint of all particles, in their order, and all nodes.
 template <int D, class Real>
 std::uint64_t state_hash(const Simulation<D, Real>& simulation);

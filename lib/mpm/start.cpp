@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "mpm/binning.h"
-#include "mpm/lift.h"
 #include "mpm/motion.h"
 
 namespace tidewater::mpm {
@@ -83,6 +82,7 @@ Simulation<D, Real> make_simulation(const Start<D>& start) {
     s.grid.layout = Layout<D>{start.cell_size, start.cells};
     std::vector<const typename Start<D>::Body*> bodies;
     std::vector<std::span<const Vector<D, double>>> points;
+    double least_j = 0.0;
     for (const auto& body : start.bodies) {
         if (body.points.empty()) continue;
         bodies.push_back(&body);
@@ -92,29 +92,15 @@ Simulation<D, Real> make_simulation(const Start<D>& start) {
         particles.material = body.material;
         particles.mass = body.mass / count;
         particles.volume = body.volume / count;
-        const double least_j = fill_columns(start, body, particles);
-        double speed = 0.0;
+        least_j = std::min(least_j, fill_columns(start, body, particles));
         if (body.material == Material::rigid) {
             s.rigid.push_back(make_rigid_body(body.points, start.cell_size, particles));
-        } else if (body.material == Material::ice) {
-            speed = s.parameters.ice.wave_speed(D);
-        } else {
-            speed = s.parameters.water.sound_speed *
-                    water_sound_speed_ratio(least_j, s.parameters.water.exponent);
         }
-        s.speeds.sound = std::max(s.speeds.sound, speed);
     }
+    update_sound(s, least_j);
     place<D, Real>(points, s.grid, s.bodies);
     scatter_start(start, bodies, s);
-    std::size_t next = 0;
-    for (const auto& particles : s.bodies) {
-        if (particles.material != Material::rigid) continue;
-        RigidBody& body = s.rigid[next++];
-        const WallContact contact = take_over_momentum(s.grid, particles, body);
-        s.wall_impulse += drop<D>(contact.impulse);
-        s.push = std::max(s.push, contact.correction / start.cell_size);
-        s.speeds.particle = std::max(s.speeds.particle, body.speed_bound());
-    }
+    update_rigid(s);
     return s;
 }
 
