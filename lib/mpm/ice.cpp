@@ -15,25 +15,46 @@ namespace tidewater::mpm {
 
 using namespace ice_lane;
 
+double IceModel::bulk_modulus(int dimension) const {
+    const bool slice = dimension == 2 && moduli == Moduli::plane_strain;
+    return lame_lambda() + (slice ? 1.0 : 2.0 / 3.0) * shear_modulus();
+}
+
 double IceModel::wave_speed(int dimension) const {
-    const double stiffness = bulk_modulus() + (dimension == 3 ? 4.0 / 3.0 : 1.0) * shear_modulus();
+    const double stiffness = bulk_modulus(dimension) + (dimension == 3 ? 4.0 / 3.0 : 1.0) * shear_modulus();
     return std::sqrt(stiffness / density);
 }
 
-double IceModel::initial_alpha() const { return -std::asinh(beta_p0 / beta / bulk_modulus()) / hardening; }
+double IceModel::initial_alpha(int dimension) const {
+    return -std::asinh(beta_p0 / beta / bulk_modulus(dimension)) / hardening;
+}
+
+// [(1+2β) + M²/d²] σ² + M² (1−β)(p0/d) σ − M² β p0² = 0
+double IceModel::uniaxial_strength(int dimension) const {
+    const double d = dimension, m2 = friction * friction, p0 = beta_p0 / beta;
+    const double a = 1 + 2 * beta + m2 / (d * d), b = m2 * (1 - beta) * p0 / d, c = -m2 * beta_p0 * p0;
+    return -2 * c / (b + std::sqrt(b * b - 4 * a * c));
+}
+
+double crack_band_hardening(const IceModel& model, int dimension, double energy, double width) {
+    const double range = std::asinh(model.beta_p0 / model.beta / model.bulk_modulus(dimension));
+    const double deviator = model.uniaxial_strength(dimension) / std::sqrt((6.0 - dimension) / 2);  // |s|
+    return 0.5 * width * deviator * range / energy;
+}
 
 template <int D, class Real>
 IceConstants<D, Real>::IceConstants(const IceModel& model) {
-    const double ratio = model.shear_modulus() / model.bulk_modulus();
-    const double angle = -model.hardening * model.initial_alpha();
+    const double ratio = model.shear_modulus() / model.bulk_modulus(D);
+    const double angle = -model.hardening * model.initial_alpha(D);
     mu = static_cast<Real>(model.shear_modulus());
-    half_kappa = static_cast<Real>(0.5 * model.bulk_modulus());
+    half_kappa = static_cast<Real>(0.5 * model.bulk_modulus(D));
     q2_factor = static_cast<Real>(0.5 * (6 - D) * ratio * ratio);
     one_plus_two_beta = static_cast<Real>(1 + 2 * model.beta);
     beta = static_cast<Real>(model.beta);
     friction2 = static_cast<Real>(model.friction * model.friction);
     xi = static_cast<Real>(model.hardening);
-    least_alpha = static_cast<Real>(model.cap_hardening ? model.initial_alpha() : -1e6);
+    least_alpha = static_cast<Real>(model.cap_hardening ? model.initial_alpha(D) : -1e6);
+    keep_trace = model.shear_return == ShearReturn::trace;
     const double largest = std::asinh(0.45);
     largest_angle = static_cast<Real>(model.cap_hardening ? std::min(angle, largest) : largest);
 }
@@ -89,7 +110,7 @@ double ice_energy(const IceModel& model, const std::array<double, symmetric_size
     const double log_j2 = std::log1p(b.volume);
     // J^(−2/d) tr b / d = exp(ln(1 + mean) − ln(J²)/d).
     return 0.5 * model.shear_modulus() * D * std::expm1(std::log1p(b.mean) - log_j2 / D) +
-           0.25 * model.bulk_modulus() * (b.volume - log_j2);
+           0.25 * model.bulk_modulus(D) * (b.volume - log_j2);
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                            \

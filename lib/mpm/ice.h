@@ -23,27 +23,45 @@
 
 namespace tidewater::mpm {
 
+// κ of a 2D scene. A slice of a wide body, E and ν as measured, has λ + μ (plane strain); the paper's 2D code
+// takes the λ + 2μ/3 of three dimensions, which makes beams 4 % and P waves 5 % softer at ν = 0.3. In 3D both
+// are λ + 2μ/3.
+enum class Moduli { plane_strain, paper };
+
+// What the return to the surface between its tips keeps of b: det b and so p, which the paper means, or tr b
+// as its authors' code does, by which p moves.
+enum class ShearReturn { pressure, trace };
+
 struct IceModel {
     double density = 900.0;       // ρ, kg/m³
     double youngs_modulus = 1e9;  // E, Pa
     double poisson_ratio = 0.3;   // ν
-    bool fracture = true;         // false: elastic, and return_to_yield is never called
-    double beta_p0 = 0.5e6;       // βp0, strength under isotropic tension at the start, Pa
-    double beta = 1.0;            // β > 0, tensile over compressive strength; the paper gives none, so this
-                                  // is a placeholder until the choice is settled (physics.md §2)
-    double friction = 1.4;        // M, slope of the critical state line q = M p
-    double hardening = 3.0;       // ξ > 0; softening in tension is stable only if βξ < 1
+    Moduli moduli = Moduli::plane_strain;
+    bool fracture = true;      // false: elastic, and return_to_yield is never called
+    double beta_p0 = 0.5e6;    // βp0, strength under isotropic tension at the start, Pa
+    double beta = 0.1;         // β > 0, strength in isotropic tension over that in compression
+    double friction = 1.4;     // M, slope of the critical state line q = M p
+    double hardening = 3.0;    // ξ > 0; softening in tension is stable only if βξ < 1
     bool cap_hardening = true;  // keep α ≥ α0 and so p0 ≤ p0(α0); false is the paper's rule, by which ice
                                 // sheared under pressure gains strength without bound
+    ShearReturn shear_return = ShearReturn::pressure;
 
     double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  // μ, Pa
     double lame_lambda() const {                                                         // λ, Pa
         return youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
     }
-    double bulk_modulus() const { return 2 * shear_modulus() / 3 + lame_lambda(); }  // κ, Pa, also in 2D
-    double wave_speed(int dimension) const;  // of P waves, m/s: √((κ+4μ/3)/ρ) in 3D, √((κ+μ)/ρ) in 2D
-    double initial_alpha() const;            // α0
+    double bulk_modulus(int dimension) const;       // κ, Pa
+    double wave_speed(int dimension) const;         // of P waves, m/s: √((κ+4μ/3)/ρ) in 3D, √((κ+μ)/ρ) in 2D
+    double initial_alpha(int dimension) const;      // α0
+    double uniaxial_strength(int dimension) const;  // in tension, Pa: where p = −σ/d, q = σ meets the surface
 };
+
+// Crack band (Bažant & Oh 1983): the ξ by which a band of failing ice as wide as `width` (m) dissipates
+// `energy` (J/m²) per area of crack under uniaxial tension, so that cracks of different cells cost the same.
+// The band's strength falls as −α to zero while α, the deviatoric plastic strain, runs from α0 to 0:
+//
+//     energy = width · ½ σt |α0| / √((6−d)/2),   |α0| = asinh(p0/κ)/ξ,   σt = uniaxial_strength
+double crack_band_hardening(const IceModel& model, int dimension, double energy, double width);
 
 // What the kernels need of a model. Pressures are in units of κ, so that no square overflows a float.
 template <int D, class Real>
@@ -55,6 +73,7 @@ struct IceConstants {
     Real friction2;      // M²
     Real xi;             // ξ
     Real least_alpha;    // α0 if hardening is capped, else −1e6
+    bool keep_trace;     // ShearReturn::trace
     Real largest_angle;  // of the sinh: ξ|α0| if capped; never above asinh 0.45, see ice_yield.h
 
     explicit IceConstants(const IceModel& model);

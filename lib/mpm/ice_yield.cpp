@@ -59,7 +59,7 @@ unsigned find_yielding(const IceConstants<D, Real>& constants, int count,
 }
 
 // The three cases for all, kept where a particle lies outside.
-template <int D, class Real>
+template <int D, bool keep_trace, class Real>
 void return_yielding(const IceConstants<D, Real>& constants, int count, const Trial<Real>& __restrict trial,
                      Column<Real>* __restrict strain, Column<Real>& __restrict alpha,
                      Column<Real>* __restrict kirchhoff) {
@@ -78,8 +78,17 @@ void return_yielding(const IceConstants<D, Real>& constants, int count, const Tr
         const Real shrink = tip ? Real(0) : ratio / (Real(1) + b.mean);
         const Real rest = distortion<D>(b.dev, b.dev2, shrink);
         const Real at_tip = pressure > Real(0) ? Real(-2) * p0 : Real(2) * tensile;
-        const Real new_volume = tip ? at_tip : volume;
-        const Real new_mean = stretch2_minus_1<D>((new_volume - rest) / (Real(1) + rest));  // t − 1
+        Real new_volume = tip ? at_tip : volume, new_shape = shape;
+        Real new_mean = stretch2_minus_1<D>((new_volume - rest) / (Real(1) + rest));  // t − 1
+        if constexpr (keep_trace) {
+            const Real t = Real(1) + b.mean;
+            const Real cube = D == 2 ? b.mean * (Real(2) + b.mean)
+                                     : b.mean * (Real(3) + b.mean * (Real(3) + b.mean));  // t^d − 1
+            const Real moved = clamp_volume(cube + (Real(1) + cube) * rest);
+            new_volume = tip ? new_volume : moved;
+            new_mean = tip ? new_mean : t - Real(1);
+            new_shape = tip ? shape : inverse_stretch2<D>(moved);
+        }
         const Real keep = (Real(1) + new_mean) * shrink;
 
         // One logarithm for both rules.
@@ -91,7 +100,7 @@ void return_yielding(const IceConstants<D, Real>& constants, int count, const Tr
         const Real new_alpha = std::max(old_alpha + (hardens ? -half_log : half_log), ice.least_alpha);
         alpha[p] = elastic ? old_alpha : new_alpha;
 
-        const Real shear = ice.mu * shape * keep;  // 0 at a tip, the only place where J changes
+        const Real shear = ice.mu * new_shape * keep;  // 0 at a tip
         const Real pull = ice.half_kappa * new_volume;
         for (int c = 0; c < symmetric_size<D>; ++c) {
             const Real on_diagonal = is_diagonal<D>(c) ? Real(1) : Real(0);
@@ -111,7 +120,11 @@ unsigned return_to_yield(const IceConstants<D, Real>& ice, int count, Column<Rea
     assert(is_batch(count));
     Trial<Real> trial;
     const unsigned state = find_yielding(ice, count, strain, *alpha, trial, kirchhoff);
-    if (state & ice_yielded) return_yielding(ice, count, trial, strain, *alpha, kirchhoff);
+    if (!(state & ice_yielded)) return state;
+    if (ice.keep_trace)
+        return_yielding<D, true>(ice, count, trial, strain, *alpha, kirchhoff);
+    else
+        return_yielding<D, false>(ice, count, trial, strain, *alpha, kirchhoff);
     return state;
 }
 

@@ -26,7 +26,7 @@ double fill_columns(const Start<D>& start, const typename Start<D>::Body& body,
         for (auto& column : particles.strain) column.assign(body.points.size(), Real(0));
         if (start.parameters.ice.fracture) {
             particles.alpha.assign(body.points.size(),
-                                   static_cast<Real>(start.parameters.ice.initial_alpha()));
+                                   static_cast<Real>(start.parameters.ice.initial_alpha(D)));
         }
     }
     return least_j;

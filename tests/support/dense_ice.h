@@ -14,7 +14,7 @@ namespace tidewater::test {
 template <int D>
 void return_to_yield(const mpm::IceModel& ice, Matrix<D, double>& b, double& alpha) {
     const Matrix<D, double> one = Matrix<D, double>::Identity();
-    const double mu = ice.shear_modulus(), kappa = ice.bulk_modulus(), beta = ice.beta;
+    const double mu = ice.shear_modulus(), kappa = ice.bulk_modulus(D), beta = ice.beta;
     const double alpha0 = -std::asinh(ice.beta_p0 / beta / kappa) / ice.hardening;
     const double j2 = b.determinant(), p = -kappa / 2 * (j2 - 1);
     const double p0 = std::min(kappa * std::sinh(ice.hardening * std::max(-alpha, 0.0)), 0.45 * kappa);
@@ -43,7 +43,7 @@ Matrix<D, double> kirchhoff_stress(const mpm::IceModel& ice, const Matrix<D, dou
     const Matrix<D, double> one = Matrix<D, double>::Identity();
     const double j2 = b.determinant();
     return ice.shear_modulus() * std::pow(j2, -1.0 / D) * (b - b.trace() / D * one) +
-           ice.bulk_modulus() / 2 * (j2 - 1) * one;
+           ice.bulk_modulus(D) / 2 * (j2 - 1) * one;
 }
 
 }  // namespace tidewater::test

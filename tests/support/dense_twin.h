@@ -54,7 +54,7 @@ struct DenseTwin {
                 const double j =
                     water ? mpm::hydrostatic_j(depth, start.parameters.gravity, start.parameters.water) : 0.0;
                 particles.push_back(
-                    {b, body.mass / count, body.volume / count, j, start.parameters.ice.initial_alpha(), x,
+                    {b, body.mass / count, body.volume / count, j, start.parameters.ice.initial_alpha(D), x,
                      body.velocity.empty() ? Vec::Zero().eval() : body.velocity[n], x - middle,
                      body.gradient.empty() ? Mat::Zero().eval() : body.gradient[n], Mat::Identity()});
             }

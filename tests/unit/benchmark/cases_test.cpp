@@ -57,7 +57,7 @@ double mean_speed(const mpm::Start<D>& scene) {
 // The share of ice whose α is no longer that of the start.
 template <int D>
 double changed_share(const mpm::Simulation<D, float>& s) {
-    const auto initial = static_cast<float>(s.parameters.ice.initial_alpha());
+    const auto initial = static_cast<float>(s.parameters.ice.initial_alpha(D));
     const auto& alpha = s.bodies[0].alpha;
     const auto changed = std::ranges::count_if(alpha, [&](float a) { return a != initial; });
     return static_cast<double>(changed) / static_cast<double>(alpha.size());

@@ -56,11 +56,11 @@ Tensor<D> reference_stress(const IceModel& model, const Tensor<D>& strain) {
     const Tensor<D> identity = Tensor<D>::Identity(), dev = strain - strain.trace() / D * identity;
     const double j2 = (identity + strain).determinant();
     return model.shear_modulus() * std::pow(j2, -1.0 / D) * dev +
-           0.5 * model.bulk_modulus() * volume_of<D>(strain) * identity;
+           0.5 * model.bulk_modulus(D) * volume_of<D>(strain) * identity;
 }
 template <int D>
 double pressure_of(const IceModel& model, const Tensor<D>& strain) {
-    return -0.5 * model.bulk_modulus() * volume_of<D>(strain);
+    return -0.5 * model.bulk_modulus(D) * volume_of<D>(strain);
 }
 template <int D>
 double q_of(const IceModel& model, const Tensor<D>& strain) {
@@ -71,10 +71,11 @@ template <int D>
 bool is_positive_definite(const Tensor<D>& b) {  // by its leading minors
     return b(0, 0) > 0 && b.template topLeftCorner<2, 2>().determinant() > 0 && b.determinant() > 0;
 }
-inline double p0_of(const IceModel& model, double alpha) {
+template <int D>
+double p0_of(const IceModel& model, double alpha) {
     double angle = std::min(model.hardening * std::max(-alpha, 0.0), std::asinh(0.45));
-    if (model.cap_hardening) angle = std::min(angle, -model.hardening * model.initial_alpha());
-    return model.bulk_modulus() * std::sinh(angle);
+    if (model.cap_hardening) angle = std::min(angle, -model.hardening * model.initial_alpha(D));
+    return model.bulk_modulus(D) * std::sinh(angle);
 }
 inline double yield(const IceModel& model, double p, double q, double p0) {
     return q * q * (1 + 2 * model.beta) + model.friction * model.friction * (p + model.beta * p0) * (p - p0);

@@ -15,10 +15,13 @@ using namespace tidewater::mpm::ice_support;
 TEST_CASE("ice has the wave speeds of 3D and of the plane") {
     IceModel model;
     CHECK(model.wave_speed(3) == doctest::Approx(1223.0).epsilon(1e-3));
+    CHECK(model.wave_speed(2) == doctest::Approx(1223.0).epsilon(1e-3));  // plane strain: as in 3D
+    model.moduli = Moduli::paper;
     CHECK(model.wave_speed(2) == doctest::Approx(1163.0).epsilon(1e-3));
+    CHECK(model.wave_speed(3) == doctest::Approx(1223.0).epsilon(1e-3));
     model.youngs_modulus = 1e10;
     CHECK(model.wave_speed(3) == doctest::Approx(3867.0).epsilon(1e-3));
-    CHECK(model.lame_lambda() + 2 * model.shear_modulus() / 3 == doctest::Approx(model.bulk_modulus()));
+    CHECK(model.lame_lambda() + 2 * model.shear_modulus() / 3 == doctest::Approx(model.bulk_modulus(3)));
 }
 
 TEST_CASE_TEMPLATE("the strain advances as (I+A) b (I+A)ᵀ − I, and only in the lanes asked for", Real, float,
@@ -65,7 +68,7 @@ TEST_CASE("float keeps the digits of J² − 1 and of the shear at strains of 1e
         const Tensor<3> strain = batch.strain_of(p), exact = reference_stress<3>(model, strain);
         CHECK((batch.stress_of(p) - exact).norm() < 1e-6 * exact.norm());
         if (p < 32) continue;
-        const double volume = batch.stress_of(p).trace() / 3 / (0.5 * model.bulk_modulus());
+        const double volume = batch.stress_of(p).trace() / 3 / (0.5 * model.bulk_modulus(3));
         CHECK(volume == doctest::Approx(volume_of<3>(strain)).epsilon(1e-6));
     }
 }
@@ -85,7 +88,7 @@ TEST_CASE_TEMPLATE("elastic stress is the closed form for any strain, and zero f
             CHECK(batch.stress_of(0).cwiseAbs().maxCoeff() == 0.0);
             for (int p = 1; p < batch_size; ++p) {
                 const Tensor<D> exact = reference_stress<D>(model, batch.strain_of(p));
-                const double scale = exact.norm() + model.bulk_modulus() * batch.strain_of(p).norm();
+                const double scale = exact.norm() + model.bulk_modulus(D) * batch.strain_of(p).norm();
                 CHECK((batch.stress_of(p) - exact).norm() <=
                       30 * std::numeric_limits<Real>::epsilon() * scale);
                 const Tensor<D> b = Tensor<D>::Identity() + batch.strain_of(p);
@@ -109,7 +112,7 @@ TEST_CASE("isotropic strain gives only pressure, and simple shear γ gives τ_xy
     batch.set(1, shear);
     ice_stress<3, double>(IceConstants<3, double>(model), batch.strain, 16, batch.stress);
     const Tensor<3> swollen = batch.stress_of(0), sheared = batch.stress_of(1);
-    CHECK((swollen - 0.5 * model.bulk_modulus() * 0.21 * Tensor<3>::Identity()).norm() < 1e-6);
+    CHECK((swollen - 0.5 * model.bulk_modulus(3) * 0.21 * Tensor<3>::Identity()).norm() < 1e-6);
     CHECK(sheared(0, 1) == doctest::Approx(model.shear_modulus() * gamma));
     CHECK(sheared(0, 0) == doctest::Approx(model.shear_modulus() * gamma * gamma * 2 / 3));
     CHECK(sheared.trace() == doctest::Approx(0.0).scale(model.shear_modulus() * 1e-9));
@@ -140,7 +143,7 @@ TEST_CASE_TEMPLATE("the Kirchhoff stress is 2 ∂W/∂b b", Dimension, std::inte
             slope(i, j) = slope(j, i) = i == j ? rise : 0.5 * rise;  // an off-diagonal column moves b twice
         }
         const Tensor<D> expected = 2 * slope * (Tensor<D>::Identity() + batch.strain_of(p));
-        CHECK((batch.stress_of(p) - expected).norm() < 1e-7 * model.bulk_modulus());
+        CHECK((batch.stress_of(p) - expected).norm() < 1e-7 * model.bulk_modulus(D));
     }
     CHECK(ice_energy<D>(model, {}) == 0.0);
 }
@@ -149,7 +152,7 @@ TEST_CASE("the stored energy is that of linear elasticity at a strain of 1e-7") 
     const IceModel model;
     const double e = 1e-7;  // b − I = 2e I: volumetric strain 3e
     CHECK(ice_energy<3>(model, {2 * e, 0, 0, 2 * e, 0, 2 * e}) ==
-          doctest::Approx(4.5 * model.bulk_modulus() * e * e).epsilon(1e-5));
+          doctest::Approx(4.5 * model.bulk_modulus(3) * e * e).epsilon(1e-5));
     CHECK(ice_energy<3>(model, {0, 2 * e, 0, 0, 0, 0}) ==
           doctest::Approx(2 * model.shear_modulus() * e * e).epsilon(1e-5));
 }
@@ -161,5 +164,21 @@ TEST_CASE("elastic ice reports inverted and infinite strains") {
         Batch<2, float> batch;
         batch.strain[0][15] = bad;
         CHECK(ice_stress<2, float>(constants, batch.strain, 16, batch.stress) == ice_unusable);
+    }
+}
+
+TEST_CASE("the uniaxial strength is that of the table in physics.md §2") {
+    IceModel model;
+    const struct {
+        double beta, in_2d, in_3d;
+    } rows[] = {{1.0, 0.375e6, 0.390e6}, {0.5, 0.537e6, 0.595e6}};
+    for (const auto& row : rows) {
+        model.beta = row.beta;
+        CHECK(model.uniaxial_strength(2) == doctest::Approx(row.in_2d).epsilon(2e-3));
+        CHECK(model.uniaxial_strength(3) == doctest::Approx(row.in_3d).epsilon(2e-3));
+    }
+    for (const auto& [beta, ratio] : {std::pair{0.05, 1.82}, {0.12, 1.63}}) {
+        model.beta = beta;
+        CHECK(model.uniaxial_strength(2) / model.beta_p0 == doctest::Approx(ratio).epsilon(5e-3));
     }
 }

@@ -91,7 +91,7 @@ void check_threads(std::initializer_list<int> counts) {
     REQUIRE(serial.bodies.size() == 3);
     check_sorted(serial, start);
     const auto& alpha = serial.bodies[2].alpha;
-    const auto initial = static_cast<Real>(start.parameters.ice.initial_alpha());
+    const auto initial = static_cast<Real>(start.parameters.ice.initial_alpha(D));
     CHECK(std::any_of(alpha.begin(), alpha.end(), [&](Real a) { return a != initial; }));
     for (const int threads : counts) {
         CAPTURE(threads);

@@ -62,7 +62,7 @@ template <int D, class Real>
 void check_ice_has_failed(const Simulation<D, Real>& s) {
     const auto& ice = s.bodies[2];
     REQUIRE(ice.material == Material::ice);
-    const auto initial = static_cast<Real>(s.parameters.ice.initial_alpha());
+    const auto initial = static_cast<Real>(s.parameters.ice.initial_alpha(D));
     for (const auto& column : ice.strain) CHECK(std::ranges::any_of(column, [](Real e) { return e != 0; }));
     CHECK(std::ranges::any_of(ice.alpha, [&](Real alpha) { return alpha != initial; }));
 }

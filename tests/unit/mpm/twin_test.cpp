@@ -83,7 +83,7 @@ std::size_t count_yielded(const test::DenseTwin<D>& twin) {
     std::size_t count = 0;
     for (const auto& p : twin.particles) {
         if (twin.material(p) != Material::ice) continue;
-        count += std::abs(p.alpha - twin.start.parameters.ice.initial_alpha()) > 1e-6;
+        count += std::abs(p.alpha - twin.start.parameters.ice.initial_alpha(D)) > 1e-6;
     }
     return count;
 }
