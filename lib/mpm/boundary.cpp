@@ -1,6 +1,8 @@
 #include "mpm/boundary.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace tidewater::mpm {
 namespace {
@@ -22,45 +24,108 @@ void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
     }
 }
 
-// Walls that reach into the block: bit 2·axis for the origin's, 2·axis + 1 for the far one.
+// The boundaries at one time, in cells: nodes up to these numbers are on or behind them.
 template <int D>
-unsigned walls_in_block(const Layout<D>& layout, const Index<D>& block) {
-    unsigned bits = 0;
+struct Limits {
+    const Boundaries<D>& of;
+    int shelf_end = -1, shelf_top = -1;  // nodes of both lie in the shelf
+    int pushed = -1;                     // as along x
+    double push_velocity = 0.0;
+
+    Limits(const Layout<D>& layout, const Boundaries<D>& boundaries, double time) : of(boundaries) {
+        const auto node = [&](double x) { return static_cast<int>(std::floor(x / layout.cell_size + 1e-6)); };
+        if (of.shelf.exists()) {
+            shelf_end = node(of.shelf.end);
+            shelf_top = node(of.shelf.top);
+        }
+        if (of.push.exists()) {
+            pushed = node(of.push.position(time)) + 1;  // else what it pushes coasts between two nodes
+            push_velocity = of.push.velocity(time);
+        }
+    }
+};
+
+// Whether any of them reaches into the block.
+template <int D>
+bool reaches_block(const Layout<D>& layout, const Limits<D>& limits, const Index<D>& block) {
     for (std::size_t axis = 0; axis < D; ++axis) {
         const int first = layout.first_node(block[axis]);
-        if (first <= 0) bits |= 1u << (2 * axis);
-        if (first + Block<D>::width > layout.cells[axis]) bits |= 2u << (2 * axis);
+        if (first <= 0 || first + Block<D>::width > layout.cells[axis]) return true;
     }
-    return bits;
+    const int x = layout.first_node(block[0]), z = layout.first_node(block[D - 1]);
+    return x <= limits.pushed || (x <= limits.shelf_end && z <= limits.shelf_top);
+}
+
+template <int D, class Real>
+void apply_walls(const Layout<D>& layout, const Limits<D>& limits, const Index<D>& node,
+                 Node<Real>& velocity) {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        const bool replaced = axis == 0 && limits.of.push.exists();
+        const auto& [near, far] = limits.of.walls[axis];
+        if (node[axis] <= 0 && !replaced) apply_rule<D>(near, static_cast<int>(axis), -1, velocity);
+        if (node[axis] >= layout.cells[axis]) apply_rule<D>(far, static_cast<int>(axis), 1, velocity);
+    }
+}
+
+// The nearer of the shelf's two faces acts; both at its edge, where the top holds only what presses down on
+// it.
+template <int D, class Real>
+void apply_shelf(const Limits<D>& limits, const Index<D>& node, Node<Real>& velocity) {
+    const int below_top = limits.shelf_top - node[D - 1], behind_front = limits.shelf_end - node[0];
+    if (below_top < 0 || behind_front < 0) return;
+    if (below_top <= behind_front) {
+        const bool edge = below_top == behind_front;
+        apply_rule<D>(edge ? WallRule::separate : limits.of.shelf.rule, D - 1, -1, velocity);
+    }
+    if (behind_front <= below_top) apply_rule<D>(WallRule::separate, 0, -1, velocity);
 }
 
 }  // namespace
 
+double Push::velocity(double time) const {
+    if (time >= ramp) return speed;
+    return time <= 0.0 ? 0.0 : 0.5 * speed * (1.0 - std::cos(std::numbers::pi * time / ramp));
+}
+
+double Push::position(double time) const {
+    if (time >= ramp) return speed * (time - 0.5 * ramp);
+    if (time <= 0.0) return 0.0;
+    return 0.5 * speed * (time - ramp / std::numbers::pi * std::sin(std::numbers::pi * time / ramp));
+}
+
 template <int D, class Real>
-WallAction<D> apply_walls(const Layout<D>& layout, const Walls<D>& walls, const Index<D>& block,
-                          Node<Real>* nodes) {
+WallAction<D> apply_boundaries(const Layout<D>& layout, const Boundaries<D>& boundaries, double time,
+                               const Index<D>& block, Node<Real>* nodes) {
     WallAction<D> action;
-    if (walls_in_block<D>(layout, block) == 0) return action;
+    const Limits<D> limits(layout, boundaries, time);
+    if (!reaches_block(layout, limits, block)) return action;
     for (int n = 0; n < Block<D>::nodes; ++n) {
         Node<Real>& node = nodes[n];
         if (!(node[mass_lane] > Real(0))) continue;
-        const Node<Real> before = node;
+        Index<D> at;
         for (int axis = D - 1, rest = n; axis >= 0; --axis, rest /= Block<D>::width) {
             const auto a = static_cast<std::size_t>(axis);
-            const int index = layout.first_node(block[a]) + rest % Block<D>::width;
-            if (index <= 0) apply_rule<D>(walls[a][0], axis, -1, node);
-            if (index >= layout.cells[a]) apply_rule<D>(walls[a][1], axis, 1, node);
+            at[a] = layout.first_node(block[a]) + rest % Block<D>::width;
+        }
+        const Node<Real> before = node;
+        apply_walls(layout, limits, at, node);
+        apply_shelf(limits, at, node);
+        const double mass = static_cast<double>(node[mass_lane]);
+        if (at[0] <= limits.pushed) {
+            const auto velocity = std::max(node[0], static_cast<Real>(limits.push_velocity));
+            action.work += mass * static_cast<double>(velocity - node[0]) * limits.push_velocity;
+            node[0] = velocity;
         }
         const Vector<D, double> from = before.template head<D>().template cast<double>().matrix();
         const Vector<D, double> to = node.template head<D>().template cast<double>().matrix();
-        action.impulse += static_cast<double>(node[mass_lane]) * (to - from);
+        action.impulse += mass * (to - from);
     }
     return action;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                              \
-    template WallAction<D> apply_walls<D, Real>(const Layout<D>&, const Walls<D>&, const Index<D>&, \
-                                                Node<Real>*);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                               \
+    template WallAction<D> apply_boundaries<D, Real>(const Layout<D>&, const Boundaries<D>&, double, \
+                                                     const Index<D>&, Node<Real>*);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)
 TIDEWATER_INSTANTIATE(3, float)

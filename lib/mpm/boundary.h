@@ -1,4 +1,5 @@
-// Walls of the box that a scene lives in.
+// What holds or moves the nodes at the edges of a scene: the walls of its box, a shelf in it, and a plane
+// that pushes from the left.
 //
 //     slip      the velocity into or out of the wall is zero, along it free
 //     stick     the velocity is zero
@@ -20,15 +21,44 @@ enum class WallRule { slip, stick, separate };
 template <int D>
 using Walls = std::array<std::array<WallRule, 2>, static_cast<std::size_t>(D)>;
 
-// What walls did to the nodes of one block.
+// Ground without friction that fills the box from the left wall to x = end and from the bottom to z = top (in
+// 3D for all y). Its top follows `rule`; its front face always lets go. Edges lie on cell edges.
+struct Shelf {
+    double end = 0.0, top = 0.0;  // m; end 0: no shelf
+    WallRule rule = WallRule::separate;
+
+    bool exists() const { return end > 0.0; }
+};
+
+// A plane that starts from the left wall at t = 0 and pushes: nodes behind it and the next before it move
+// along x at least as fast as it does; it holds nothing back. It takes the place of the left wall. Its speed
+// rises as speed (1 − cos(πt/ramp))/2.
+struct Push {
+    double speed = 0.0;  // m/s; 0: no plane
+    double ramp = 0.0;   // s
+
+    bool exists() const { return speed != 0.0; }
+    double velocity(double time) const;  // m/s; 0 for time ≤ 0 with a ramp
+    double position(double time) const;  // m
+};
+
+template <int D>
+struct Boundaries {
+    Walls<D> walls{};
+    Shelf shelf;
+    Push push;
+};
+
+// What they did to the nodes of one block.
 template <int D>
 struct WallAction {
     Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
+    double work = 0.0;  // J, of the plane that pushes: its impulse times its speed
 };
 
-// Applies the walls to the velocities of one block of nodes; `block` as block_at gives it.
+// Applies them to the velocities that one block of nodes has at `time`; `block` as block_at gives it.
 template <int D, class Real>
-WallAction<D> apply_walls(const Layout<D>& layout, const Walls<D>& walls, const Index<D>& block,
-                          Node<Real>* nodes);
+WallAction<D> apply_boundaries(const Layout<D>& layout, const Boundaries<D>& boundaries, double time,
+                               const Index<D>& block, Node<Real>* nodes);
 
 }  // namespace tidewater::mpm

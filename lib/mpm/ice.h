@@ -37,11 +37,11 @@ struct IceModel {
     double youngs_modulus = 1e9;  // E, Pa
     double poisson_ratio = 0.3;   // ν
     Moduli moduli = Moduli::plane_strain;
-    bool fracture = true;      // false: elastic, and return_to_yield is never called
-    double beta_p0 = 0.5e6;    // βp0, strength under isotropic tension at the start, Pa
-    double beta = 0.1;         // β > 0, strength in isotropic tension over that in compression
-    double friction = 1.4;     // M, slope of the critical state line q = M p
-    double hardening = 3.0;    // ξ > 0; softening in tension is stable only if βξ < 1
+    bool fracture = true;       // false: elastic, and return_to_yield is never called
+    double beta_p0 = 0.5e6;     // βp0, strength under isotropic tension at the start, Pa
+    double beta = 0.1;          // β > 0, strength in isotropic tension over that in compression
+    double friction = 1.4;      // M, slope of the critical state line q = M p
+    double hardening = 3.0;     // ξ > 0; softening in tension is stable only if βξ < 1
     bool cap_hardening = true;  // keep α ≥ α0 and so p0 ≤ p0(α0); false is the paper's rule, by which ice
                                 // sheared under pressure gains strength without bound
     ShearReturn shear_return = ShearReturn::pressure;
@@ -50,8 +50,8 @@ struct IceModel {
     double lame_lambda() const {                                                         // λ, Pa
         return youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
     }
-    double bulk_modulus(int dimension) const;       // κ, Pa
-    double wave_speed(int dimension) const;         // of P waves, m/s: √((κ+4μ/3)/ρ) in 3D, √((κ+μ)/ρ) in 2D
+    double bulk_modulus(int dimension) const;  // κ, Pa
+    double wave_speed(int dimension) const;  // of P waves, m/s: √((κ+4μ/3)/ρ) in 3D, √((κ+μ)/ρ) in 2D
     double initial_alpha(int dimension) const;      // α0
     double uniaxial_strength(int dimension) const;  // in tension, Pa: where p = −σ/d, q = σ meets the surface
 };

@@ -42,25 +42,37 @@ double elastic_energy(const Parameters<D>& parameters, const Particles<D, Real>&
 }  // namespace
 
 template <int D, class Real>
+Ledger<D> particle_ledger(const Simulation<D, Real>& s, const Particles<D, Real>& particles,
+                          const Index<D>& block, std::size_t p, const Tile<D, Real>& tile) {
+    const Vector<D, double> point = global_position(s.grid.layout, block, particles, p);
+    Ledger<D> part;
+    part.mass = particles.mass;
+    part.gravitational = particles.mass * s.parameters.gravity * point[D - 1];
+    part.elastic = elastic_energy(s.parameters, particles, p);
+    if (particles.material == Material::rigid) return part;
+    Vector<D, Real> v;
+    Matrix<D, Real> g;
+    gather<D, Real>(local_position<D, Real>(particles, p), tile.data(), v, g);
+    const Vector<D, double> velocity = v.template cast<double>();
+    const double affine = g.template cast<double>().squaredNorm();  // |Δx C|²
+    part.momentum = particles.mass * velocity;
+    part.kinetic = 0.5 * particles.mass * (velocity.squaredNorm() + 0.25 * affine);
+    return part;
+}
+
+template <int D, class Real>
 Ledger<D> take_ledger(const Simulation<D, Real>& s) {
     std::vector<Ledger<D>> of_block(s.grid.particle_blocks.size());
     for (const auto& particles : s.bodies) {
-        const bool rigid = particles.material == Material::rigid;
-        for_each_motion(s.grid, particles,
-                        [&](std::size_t slot, const Index<D>& block, std::size_t p, const Vector<D, Real>& v,
-                            const Matrix<D, Real>& g) {
-                            const Vector<D, double> point =
-                                global_position(s.grid.layout, block, particles, p);
-                            Ledger<D>& sum = of_block[slot];
-                            sum.mass += particles.mass;
-                            sum.gravitational += particles.mass * s.parameters.gravity * point[D - 1];
-                            sum.elastic += elastic_energy(s.parameters, particles, p);
-                            if (rigid) return;
-                            const Vector<D, double> velocity = v.template cast<double>();
-                            const double affine = g.template cast<double>().squaredNorm();  // |Δx C|²
-                            sum.momentum += particles.mass * velocity;
-                            sum.kinetic += 0.5 * particles.mass * (velocity.squaredNorm() + 0.25 * affine);
-                        });
+        parallel_for(of_block.size(), [&](std::size_t slot) {
+            if (particles.begin[slot] == particles.begin[slot + 1]) return;
+            const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+            Tile<D, Real> tile;
+            load_tile(s.grid, s.grid.nodes, slot, tile.data());
+            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+                add(of_block[slot], particle_ledger(s, particles, block, p, tile));
+            }
+        });
     }
     Ledger<D> total;
     for (const auto& ledger : of_block) add(total, ledger);
@@ -73,9 +85,13 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
     return total;
 }
 
-template Ledger<2> take_ledger(const Simulation<2, float>&);
-template Ledger<2> take_ledger(const Simulation<2, double>&);
-template Ledger<3> take_ledger(const Simulation<3, float>&);
-template Ledger<3> take_ledger(const Simulation<3, double>&);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                        \
+    template Ledger<D> particle_ledger(const Simulation<D, Real>&, const Particles<D, Real>&, \
+                                       const Index<D>&, std::size_t, const Tile<D, Real>&);   \
+    template Ledger<D> take_ledger(const Simulation<D, Real>&);
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
 
 }  // namespace tidewater::mpm

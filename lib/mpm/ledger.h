@@ -1,7 +1,8 @@
 // What a run has of each conserved thing, and where it came from or went.
 //
-//     momentum(t) = momentum(0) + gravity impulse + wall impulse     closes to rounding
-//     kinetic + gravitational + elastic                              falls by the scheme's loss
+//     momentum(t) = momentum(0) + gravity impulse + wall impulse − outflow      closes to rounding
+//     kinetic + gravitational + elastic − boundary work + outflow               falls by the scheme's loss
+//                                                                               and what failing ice takes
 //
 // Velocities have the forces of the coming step already (mpm/simulation.h), so kinetic energy runs ahead of
 // the others by its change in half a step: the sum may seem to grow by that much, and no more.
@@ -11,6 +12,7 @@
 // blocks in order. Test: tests/unit/mpm/simulation_test.cpp.
 #pragma once
 
+#include "mpm/motion.h"
 #include "mpm/simulation.h"
 
 namespace tidewater::mpm {
@@ -23,6 +25,11 @@ struct Ledger {
     double gravitational = 0.0;
     double elastic = 0.0;
 };
+
+// One particle's share; what moves is read from `tile`, the nodes around its block.
+template <int D, class Real>
+Ledger<D> particle_ledger(const Simulation<D, Real>& simulation, const Particles<D, Real>& particles,
+                          const Index<D>& block, std::size_t p, const Tile<D, Real>& tile);
 
 template <int D, class Real>
 Ledger<D> take_ledger(const Simulation<D, Real>& simulation);

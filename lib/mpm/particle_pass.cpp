@@ -80,7 +80,6 @@ struct WaterUpdate {
 template <int D, class Real>
 struct IceUpdate {
     Particles<D, Real>& particles;
-    const IceModel& model;
     const PassContext<D, Real>& step;
     unsigned state = 0;
 
@@ -93,10 +92,14 @@ struct IceUpdate {
         }
         for (int c = 0; c < symmetric_size<D>; ++c) load_column(strain_at(c) + first, count, strain[c]);
         advance_strain<D, Real>(increment, whole, strain);
-        if (model.fracture) {
+        if (step.fracture) {
             load_column(particles.alpha.data() + first, count, alpha);
-            state |= return_to_yield<D, Real>(step.ice, whole, strain, &alpha, stress);
-            store_column(alpha, count, particles.alpha.data() + first);
+            const unsigned batch_state = return_to_yield<D, Real>(step.ice, whole, strain, &alpha, stress);
+            if (batch_state & ice_yielded) {
+                store_column(alpha, count, particles.alpha.data() + first);
+                note_failures(alpha, count, particles.failure_time.data() + first);
+            }
+            state |= batch_state;
         } else {
             state |= ice_stress<D, Real>(step.ice, strain, whole, stress);
         }
@@ -112,6 +115,12 @@ struct IceUpdate {
         }
     }
 
+    void note_failures(const Column<Real>& alpha, int count, Real* failure_time) const {
+        for (int p = 0; p < count; ++p) {
+            if (alpha[p] >= Real(0)) failure_time[p] = std::min(failure_time[p], step.time);
+        }
+    }
+
     Real* strain_at(int c) { return particles.strain[static_cast<std::size_t>(c)].data(); }
 };
 
@@ -122,7 +131,9 @@ PassContext<D, Real>::PassContext(const Simulation<D, Real>& s, double next_dt)
     : cells_per_speed(static_cast<Real>(s.dt / s.grid.layout.cell_size)),
       shift(static_cast<Real>(rounding_shift(s.step))),
       impulse(4.0 * next_dt / s.grid.layout.cell_size),
-      ice(s.parameters.ice) {}
+      ice(s.parameters.ice),
+      fracture(s.parameters.ice.fracture && !s.settling.going),
+      time(static_cast<Real>(s.time + s.dt)) {}
 
 template <int D, class Real>
 PassResult pass_over_block(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
@@ -139,7 +150,7 @@ PassResult pass_over_block(const PassContext<D, Real>& step, std::size_t slot, c
                 break;
             }
             case Material::ice: {
-                IceUpdate<D, Real> update{particles, s.parameters.ice, step};
+                IceUpdate<D, Real> update{particles, step};
                 pass_particles(step, slot, from, strips, particles, update);
                 result.unusable = result.unusable || (update.state & ice_unusable);
                 break;

@@ -23,6 +23,8 @@ struct PassContext {
     Real shift;            // of the rounding of positions (mpm/position.h)
     double impulse;        // 4 Δt'/Δx with Δt' = next_dt, s/m: gradient of momentum per stress and volume
     IceConstants<D, Real> ice;
+    bool fracture;  // ice may fail
+    Real time;      // at the end of the step, s
 
     PassContext(const Simulation<D, Real>& s, double next_dt);
 };

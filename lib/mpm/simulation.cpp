@@ -42,6 +42,7 @@ void sort_if_needed(Simulation<D, Real>& s) {
                             " m/s; use a smaller simulate.cfl");
     }
     if (s.drift + cells > sorting_margin) {
+        if (s.parameters.outlet.exists() && !s.settling.going) drain(s);
         sort_into_blocks<D, Real>(s.grid, s.bodies);
         s.drift = 0.0;
     }
@@ -131,10 +132,11 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
     std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
     std::vector<double> speed2(actions.size());
+    const double time = s.settling.going ? 0.0 : s.time + s.dt;
     const auto finish = [&](std::size_t slot) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         const Index<D> block = block_at<D>(s.grid.node_blocks[slot]);
-        actions[slot] = apply_walls<D, Real>(s.grid.layout, s.parameters.walls, block, nodes);
+        actions[slot] = apply_boundaries<D, Real>(s.grid.layout, s.parameters.boundaries, time, block, nodes);
         speed2[slot] = greatest_speed2<D, Real>(nodes);
     };
     const bool plain = s.rigid.empty();
@@ -156,6 +158,7 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
         if (!std::isfinite(speed2[slot])) fail_at_bad_node(s, slot);
         greatest = std::max(greatest, speed2[slot]);
         s.wall_impulse += actions[slot].impulse;
+        s.boundary_work += actions[slot].work;
     }
     s.speeds.particle = std::sqrt(greatest);
     for (const auto& particles : s.bodies) {

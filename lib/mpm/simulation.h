@@ -23,6 +23,7 @@
 
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
+#include "mpm/outlet.h"
 #include "mpm/rigid.h"
 #include "mpm/water.h"
 
@@ -34,7 +35,17 @@ struct Parameters {
     double cfl = 0.5;
     WaterModel water;
     IceModel ice;
-    Walls<D> walls{};
+    Boundaries<D> boundaries;
+    Outlet outlet;
+};
+
+// The settle phase before time begins (mpm/settle.h).
+struct Settling {
+    long going = 0;       // ice does not fail, and the boundaries are those of time 0
+    double stress = 0.0;  // of the waves at the last peak of kinetic energy, Pa
+    double energy = 0.0;  // greatest kinetic energy since the last stop, J
+    long quiet = 0;       // peaks in a row that were low enough
+    double time = 0.0;    // s, spent in it
 };
 
 // What the time step depends on.
@@ -62,7 +73,10 @@ struct Simulation {
 
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that the walls gave since the start
     double gravity_impulse = 0.0;                                // along the last axis, likewise
-    std::array<double, phase_names.size()> seconds{};            // wall time per Phase
+    double boundary_work = 0.0;                                  // J that what pushes did since the start
+    Outflow<D> outflow;                                          // what left through the outlet
+    Settling settling;
+    std::array<double, phase_names.size()> seconds{};  // wall time per Phase
 
     std::size_t particle_count() const;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "mpm/binning.h"
@@ -27,6 +28,7 @@ double fill_columns(const Start<D>& start, const typename Start<D>::Body& body,
         if (start.parameters.ice.fracture) {
             particles.alpha.assign(body.points.size(),
                                    static_cast<Real>(start.parameters.ice.initial_alpha(D)));
+            particles.failure_time.assign(body.points.size(), std::numeric_limits<Real>::infinity());
         }
     }
     return least_j;

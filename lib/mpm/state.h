@@ -30,6 +30,15 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("push", s.push);
     visit("wall_impulse", s.wall_impulse);
     visit("gravity_impulse", s.gravity_impulse);
+    visit("boundary_work", s.boundary_work);
+    visit("outflow.mass", s.outflow.mass);
+    visit("outflow.momentum", s.outflow.momentum);
+    visit("outflow.energy", s.outflow.energy);
+    visit("settling.going", s.settling.going);
+    visit("settling.stress", s.settling.stress);
+    visit("settling.energy", s.settling.energy);
+    visit("settling.quiet", s.settling.quiet);
+    visit("settling.time", s.settling.time);
     visit("particle_blocks", s.grid.particle_blocks);
     for (std::size_t body = 0; body < s.bodies.size(); ++body) {
         const std::string of = "body" + std::to_string(body) + ".";

@@ -32,7 +32,8 @@ const char* axis_name(std::size_t axis, int dimension) {
 
 void check_whole_cells(Reading& reading) {
     if (!reading.usable({"dimension", "domain.size", "domain.cell_size"})) return;
-    const auto& [size, cell, gravity, left, right, front, back, bottom, top] = reading.scene.domain;
+    const auto& size = reading.scene.domain.size;
+    const double cell = reading.scene.domain.cell_size;
     for (std::size_t axis = 0; axis < size.size(); ++axis) {
         const double cells = size[axis] / cell;
         if (std::abs(cells - std::round(cells)) <= tolerance) continue;
@@ -64,12 +65,13 @@ double particle_estimate(const Scene& scene) {
         count += particles_in(water, particle_spacing(scene));
     }
     if (scene.has("rigid")) count += particles_in(scene.block.size, particle_spacing(scene));
+    if (scene.has("ice")) count += particles_in(scene.ice.size, particle_spacing(scene));
     return count;
 }
 
 void check_count(Reading& reading) {
     if (!reading.usable({"dimension", "effects", "domain.size", "domain.cell_size", "particles.per_axis",
-                         "water.depth", "water.length", "block.size"})) {
+                         "water.depth", "water.length", "block.size", "ice.size"})) {
         return;
     }
     const double longest =
@@ -103,6 +105,7 @@ std::vector<Thing> things(const Reading& reading) {
     }
     if (scene.has("rigid") && reading.usable({"block.size"}))
         add("the block", scene.block.size, "block.size");
+    if (scene.has("ice") && reading.usable({"ice.size"})) add("the ice", scene.ice.size, "ice.size");
     return all;
 }
 
@@ -164,6 +167,87 @@ void check_block_inside(Reading& reading) {
                                            ", the tank from 0 m to " + metres(scene.domain.size[axis]) +
                                            "; move block.center or shrink block.size");
     }
+}
+
+// Names that stand alone make no sense: each needs what it acts on.
+void check_companions(Reading& reading) {
+    if (!reading.usable({"effects"})) return;
+    const struct {
+        const char *effect, *needs, *why;
+    } rules[] = {{"fracture", "ice", "there is nothing that could fracture"},
+                 {"outlet", "water", "there is nothing to let out"}};
+    for (const auto& [effect, needs, why] : rules) {
+        if (!reading.scene.has(effect) || reading.scene.has(needs)) continue;
+        reading.report("effects", "names " + quoted_text(effect) + " but not " + quoted_text(needs) +
+                                      ", so " + why + "; add " + quoted_text(needs) + " or remove " +
+                                      quoted_text(effect));
+    }
+}
+
+void check_ice(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable(
+            {"dimension", "effects", "domain.size", "domain.cell_size", "ice.size", "ice.corner"}) ||
+        !scene.has("ice")) {
+        return;
+    }
+    const double slack = tolerance * scene.domain.cell_size;
+    for (std::size_t axis = 0; axis < scene.ice.size.size(); ++axis) {
+        const double high = scene.ice.corner[axis] + scene.ice.size[axis];
+        if (high <= scene.domain.size[axis] + slack) continue;
+        reading.report("ice.corner", std::string("the ice ends outside the tank: along ") +
+                                         axis_name(axis, scene.dimension) + " at " +
+                                         metres(short_number(high)) + ", the tank at " +
+                                         metres(scene.domain.size[axis]) +
+                                         "; move ice.corner or shrink ice.size");
+    }
+    if (!scene.has("shelf") || !reading.usable({"shelf.length", "shelf.height"})) return;
+    const bool above = scene.ice.corner.back() >= scene.shelf.height - slack;
+    const bool beyond = scene.ice.corner.front() >= scene.shelf.length - slack;
+    if (above || beyond) return;
+    reading.report("ice.corner", "the ice reaches into the shelf: its base is at " +
+                                     metres(scene.ice.corner.back()) + ", the shelf's top at " +
+                                     metres(scene.shelf.height) + "; raise the ice or lower shelf.height");
+}
+
+void check_shelf(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"dimension", "effects", "domain.size", "domain.cell_size"}) || !scene.has("shelf"))
+        return;
+    const auto check = [&](const char* key, double length, std::size_t axis) {
+        if (!reading.usable({key})) return;
+        const double cells = length / scene.domain.cell_size;
+        if (length >= scene.domain.size[axis]) {
+            reading.report(key, metres(length) + " fills the tank, " + metres(scene.domain.size[axis]) +
+                                    " along " + axis_name(axis, scene.dimension) +
+                                    "; shorten it or enlarge domain.size");
+        } else if (std::abs(cells - std::round(cells)) > tolerance) {
+            reading.report(
+                key, metres(length) + " is not a whole number of cells of " + metres(scene.domain.cell_size) +
+                         "; its faces lie on cell edges, the nearest is " +
+                         metres(short_number(std::max(std::round(cells), 1.0) * scene.domain.cell_size)));
+        }
+    };
+    check("shelf.length", scene.shelf.length, 0);
+    check("shelf.height", scene.shelf.height, scene.domain.size.size() - 1);
+}
+
+void check_outlet(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"effects", "domain.size", "outlet.width"}) || !scene.has("outlet")) return;
+    if (scene.outlet.width <= scene.domain.size.front()) return;
+    reading.report("outlet.width", metres(scene.outlet.width) + " is more than the tank, " +
+                                       metres(scene.domain.size.front()) + " (domain.size); shorten it");
+}
+
+void check_softening(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"effects", "fracture.softening", "fracture.energy"}) || !scene.has("fracture"))
+        return;
+    if (scene.fracture.softening != Softening::crack_band || scene.fracture.energy > 0.0) return;
+    reading.report("fracture.energy",
+                   "missing; softening = \"crack_band\" needs the energy of a crack, e.g. "
+                   "energy = 800 (J/m²)");
 }
 
 // Reports the numbers of the list that are greater than `most`: "<rule> <most> <unit>: <numbers>".
@@ -245,6 +329,19 @@ std::string cfl_warning(const Scene& scene) {
            ", up to which steps are stable in " + std::to_string(scene.dimension) + "D; 0.5 is safe";
 }
 
+// Above it the crack band releases more elastic energy than it dissipates, and a point snaps.
+std::string softening_warning(const Scene& scene) {
+    const mpm::IceModel ice = ice_model(scene);
+    const double product = ice.beta * ice.hardening;
+    if (product < 1.0) return {};
+    const bool band = scene.fracture.softening == Softening::crack_band;
+    return std::string(band ? "fracture.energy" : "fracture.hardening") +
+           ": βξ = " + number_text(short_number(product)) +
+           ", and from 1 on ice snaps within a few steps and dissipates what " +
+           (band ? "the cells say, not fracture.energy; use smaller cells or a higher energy"
+                 : "the steps say; a smaller β or ξ softens gradually");
+}
+
 std::string picture_warning(const Scene& scene) {
     const double end = scene.simulate.end_time;
     std::string late;
@@ -258,12 +355,28 @@ std::string picture_warning(const Scene& scene) {
 
 }  // namespace
 
+mpm::IceModel ice_model(const Scene& scene) {
+    mpm::IceModel ice = scene.ice.model;
+    ice.fracture = scene.has("fracture");
+    ice.cap_hardening = scene.fracture.hardening_limit == HardeningLimit::start;
+    if (ice.fracture && scene.fracture.softening == Softening::crack_band) {
+        ice.hardening =
+            mpm::crack_band_hardening(ice, scene.dimension, scene.fracture.energy, scene.domain.cell_size);
+    }
+    return ice;
+}
+
 void check_scene(Reading& reading) {
     check_whole_cells(reading);
     check_count(reading);
     check_resolution(reading);
     check_water(reading);
     check_block_inside(reading);
+    check_companions(reading);
+    check_ice(reading);
+    check_shelf(reading);
+    check_outlet(reading);
+    check_softening(reading);
     check_gauges(reading);
     check_times(reading);
 }
@@ -271,6 +384,7 @@ void check_scene(Reading& reading) {
 std::vector<std::string> scene_warnings(const Scene& scene) {
     std::vector<std::string> warnings;
     if (scene.has("water")) warnings = {sound_speed_warning(scene), depth_warning(scene)};
+    if (scene.has("fracture")) warnings.push_back(softening_warning(scene));
     warnings.push_back(cfl_warning(scene));
     warnings.push_back(picture_warning(scene));
     std::erase(warnings, "");

@@ -45,7 +45,8 @@ constexpr auto member() {
 
 using AnyMember = std::variant<Member<double>, Member<int>, Member<std::uint64_t>, Member<std::string>,
                                Member<std::vector<double>>, Member<std::vector<std::string>>,
-                               Member<mpm::WallRule>, Member<Precision>>;
+                               Member<mpm::WallRule>, Member<mpm::Moduli>, Member<mpm::ShearReturn>,
+                               Member<Softening>, Member<HardeningLimit>, Member<Precision>>;
 
 // Stages that read a key, as bits.
 constexpr unsigned by(Stage stage) { return 1u << static_cast<unsigned>(stage); }
@@ -62,7 +63,8 @@ struct Key {
     std::string_view example = "";  // TOML; empty: the default
     std::string_view effect = "";   // empty: in every scene
     bool required = false;
-    bool per_dimension = false;  // a list with one number per dimension
+    std::string_view instead = "";  // a key that, if set, says what this required one would
+    bool per_dimension = false;     // a list with one number per dimension
     bool only_3d = false;
     unsigned stages = by_all;  // that read it
     bool changes_results = true;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/files.h"
@@ -121,12 +122,38 @@ void check_missing(Reading& reading) {
     for (const Key& key : all_keys()) {
         const bool wanted = key.effect.empty() || (effects_known && reading.scene.has(key.effect));
         if (!key.required || !wanted || reading.places.contains(key.name)) continue;
+        if (reading.places.contains(key.instead)) continue;
         const std::string section =
             key.section().empty() ? "" : " under [" + std::string(key.section()) + "]";
         reading.report(key.name, "missing; add it" + section + ", e.g. " + std::string(key.last_name()) +
                                      " = " + std::string(key.example));
         reading.unusable.emplace(key.name);
     }
+}
+
+// Keys that follow from others.
+void derive(Reading& reading) {
+    Scene& scene = reading.scene;
+    if (!reading.usable({"effects", "dimension", "water.submergence"}) || !scene.has("water")) return;
+    if (scene.water.submergence < 0.0) {
+        if (scene.water.depth > 0.0 || !reading.usable({"water.depth"})) return;
+        reading.report("water.depth", "missing; add it, or a water.submergence of 0 or more");
+        reading.unusable.insert("water.depth");
+        return;
+    }
+    if (!scene.has("ice")) {
+        reading.report("water.submergence",
+                       "is measured on ice, and effects does not name \"ice\"; use water.depth");
+        reading.unusable.insert("water.depth");
+        return;
+    }
+    if (!reading.usable({"ice.size", "ice.corner", "water.depth"})) return;
+    const double depth = scene.ice.corner.back() + scene.water.submergence * scene.ice.size.back();
+    if (reading.places.contains("water.depth") && std::abs(depth - scene.water.depth) > 1e-9 * depth) {
+        reading.report("water.depth", number_text(scene.water.depth) + " m, but water.submergence says " +
+                                          number_text(depth) + " m; remove one of them");
+    }
+    scene.water.depth = depth;
 }
 
 }  // namespace
@@ -167,6 +194,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
         if (!setting.problem.empty()) reading.problems.push_back(setting.place + ": " + setting.problem);
     }
     check_missing(reading);
+    derive(reading);
     check_scene(reading);
     if (!reading.problems.empty()) throw SceneError(joined(reading.problems));
     return reading.scene;

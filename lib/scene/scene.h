@@ -14,17 +14,20 @@
 #include <vector>
 
 #include "mpm/boundary.h"
+#include "mpm/ice.h"
 #include "mpm/water.h"
 
 namespace tidewater::scene {
 
-enum class Stage { geometry, simulate, postprocess };         // in the order in which they run
+enum class Stage { geometry, simulate, postprocess };  // in the order in which they run
+enum class Softening { paper, crack_band };            // how ξ follows from the keys
+enum class HardeningLimit { start, none };
 enum class Precision { single_precision, double_precision };  // "float", "double" in the file
 
 struct Scene {
     std::string title;
     int dimension = 2;
-    std::vector<std::string> effects;  // of "water", "rigid"
+    std::vector<std::string> effects;  // of known_effects()
     std::uint64_t seed = 1;
 
     struct Domain {
@@ -39,10 +42,11 @@ struct Scene {
         mpm::WallRule wall_top = mpm::WallRule::slip;     // z = size
     } domain;
 
-    struct Water {              // effect "water"
-        double depth = 0.0;     // m, of the still water
-        double length = 0.0;    // m, from the left wall; 0: the whole tank
-        mpm::WaterModel model;  // water.density, water.sound_speed, water.exponent
+    struct Water {                  // effect "water"
+        double depth = 0.0;         // m, of the still water
+        double submergence = -1.0;  // D/H, from which depth follows; negative: depth is given
+        double length = 0.0;        // m, from the left wall; 0: the whole tank
+        mpm::WaterModel model;      // water.density, water.sound_speed, water.exponent
     } water;
 
     struct Block {                   // effect "rigid"
@@ -51,6 +55,39 @@ struct Scene {
         double angle = 0.0;          // degrees, turned in the x–z plane from x towards z
         double density = 920.0;      // kg/m³
     } block;
+
+    struct Ice {                     // effect "ice"
+        std::vector<double> size;    // m
+        std::vector<double> corner;  // m, the lowest one; at t = 0
+        mpm::IceModel model;         // ice.density, ice.youngs_modulus, ice.poisson_ratio, ice.moduli
+    } ice;
+
+    struct Fracture {  // effect "fracture"; fracture.strength, .beta, .friction, .hardening and
+                       // .shear_return are members of ice.model
+        Softening softening = Softening::paper;
+        double energy = 0.0;  // J/m², of crack_band
+        HardeningLimit hardening_limit = HardeningLimit::start;
+    } fracture;
+
+    struct Shelf {            // effect "shelf"
+        double length = 0.0;  // m, from the left wall
+        double height = 0.0;  // m, above the bottom
+        mpm::WallRule wall = mpm::WallRule::separate;
+    } shelf;
+
+    struct Push {            // effect "push"
+        double speed = 0.0;  // m/s
+        double ramp = 0.0;   // s
+    } push;
+
+    struct Outlet {          // effect "outlet"
+        double width = 0.0;  // m, up to the right wall
+    } outlet;
+
+    struct Settle {               // effect "settle"
+        double tolerance = 1e4;   // Pa
+        double max_time = 100.0;  // s
+    } settle;
 
     struct Particles {
         int per_axis = 2;     // particles per cell and axis: 2 gives 4 per cell in 2D, 8 in 3D
@@ -96,6 +133,9 @@ Override parse_override(std::string_view text);
 // each other. Throws SceneError with one line per problem, all of them, each "file:line: key: what is wrong;
 // what to do"; InputError if the file cannot be read.
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+// The ice of a scene as the engine takes it: with ξ from the crack band where the scene asks for it.
+mpm::IceModel ice_model(const Scene& scene);
 
 // What is allowed but probably not meant, one line each.
 std::vector<std::string> scene_warnings(const Scene& scene);

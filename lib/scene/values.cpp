@@ -15,6 +15,14 @@ constexpr bool enum_names = false;
 template <>
 constexpr std::array enum_names<mpm::WallRule>{"slip", "stick", "separate"};
 template <>
+constexpr std::array enum_names<mpm::Moduli>{"plane_strain", "paper"};
+template <>
+constexpr std::array enum_names<mpm::ShearReturn>{"pressure", "trace"};
+template <>
+constexpr std::array enum_names<Softening>{"paper", "crack_band"};
+template <>
+constexpr std::array enum_names<HardeningLimit>{"start", "none"};
+template <>
 constexpr std::array enum_names<Precision>{"float", "double"};
 
 template <class Enum>

@@ -1,4 +1,5 @@
-// tidewater-geometry: the scene's tank, water and block as level sets in <run>/geometry/geometry.vdb.
+// tidewater-geometry: the scene's tank, shelf, water, ice and block as level sets in
+// <run>/geometry/geometry.vdb.
 #include <cstdio>
 #include <numbers>
 
@@ -58,14 +59,43 @@ Extent extent_of(const Box& box) {
     return {box.center - reach, box.center + reach};
 }
 
-openvdb::FloatGrid::Ptr water_level_set(const scene::Scene& scene, const Box& water, const Box* block) {
+// What displaces water; no two of them overlap.
+struct Solid {
+    std::string name;
+    Box box;
+};
+
+std::vector<Solid> solids_of(const scene::Scene& scene) {
+    std::vector<Solid> solids;
+    if (scene.has("shelf")) {
+        std::vector<double> size = scene.domain.size;
+        size.front() = scene.shelf.length;
+        size.back() = scene.shelf.height;
+        solids.push_back({"shelf", upright_box(scene, size)});
+    }
+    if (scene.has("ice")) {
+        std::vector<double> center = scene.ice.corner;
+        for (std::size_t axis = 0; axis < center.size(); ++axis) center[axis] += 0.5 * scene.ice.size[axis];
+        solids.push_back({"ice", make_box(scene, center, scene.ice.size, 0.0)});
+    }
+    if (scene.has("rigid")) {
+        solids.push_back({"block", make_box(scene, scene.block.center, scene.block.size,
+                                            scene.block.angle * std::numbers::pi / 180.0)});
+    }
+    return solids;
+}
+
+openvdb::FloatGrid::Ptr water_level_set(const scene::Scene& scene, const Box& water,
+                                        const std::vector<Solid>& solids) {
     const auto distance = [&](const Point& point) {
-        const double to_water = signed_distance(water, point);
-        return block ? std::max(to_water, -signed_distance(*block, point)) : to_water;
+        double to_water = signed_distance(water, point);
+        for (const Solid& solid : solids) to_water = std::max(to_water, -signed_distance(solid.box, point));
+        return to_water;
     };
     auto grid = geometry::make_level_set("water", scene.domain.cell_size, extent_of(water), distance);
-    geometry::describe_body(*grid, Material::water,
-                            volume(scene, water) - (block ? shared_volume(scene, *block, water) : 0.0));
+    double filled = volume(scene, water);
+    for (const Solid& solid : solids) filled -= shared_volume(scene, solid.box, water);
+    geometry::describe_body(*grid, Material::water, filled);
     return grid;
 }
 
@@ -80,23 +110,20 @@ void write_geometry(StageContext& context) {
     std::vector<openvdb::FloatGrid::Ptr> grids;
     grids.push_back(box_level_set(scene, "tank", upright_box(scene, scene.domain.size)));
 
-    Box block;
-    const bool has_block = scene.has("rigid");
-    if (has_block) {
-        block = make_box(scene, scene.block.center, scene.block.size,
-                         scene.block.angle * std::numbers::pi / 180.0);
-    }
+    const std::vector<Solid> solids = solids_of(scene);
     if (scene.has("water")) {
         std::vector<double> size = scene.domain.size;
         if (scene.water.length > 0.0) size[0] = scene.water.length;
         size.back() = scene.water.depth;
-        grids.push_back(water_level_set(scene, upright_box(scene, size), has_block ? &block : nullptr));
+        grids.push_back(water_level_set(scene, upright_box(scene, size), solids));
         std::printf("water: %.6g %s\n", geometry::body_volume(*grids.back()), unit);
     }
-    if (has_block) {
-        grids.push_back(box_level_set(scene, "block", block));
-        geometry::describe_body(*grids.back(), Material::rigid, volume(scene, block));
-        std::printf("block: %.6g %s\n", volume(scene, block), unit);
+    for (const Solid& solid : solids) {
+        grids.push_back(box_level_set(scene, solid.name, solid.box));
+        std::printf("%s: %.6g %s\n", solid.name.c_str(), volume(scene, solid.box), unit);
+        if (solid.name == "shelf") continue;
+        geometry::describe_body(*grids.back(), solid.name == "ice" ? Material::ice : Material::rigid,
+                                volume(scene, solid.box));
     }
     const std::string fingerprint = hash_hex(hash_text(stage_part(scene, scene::Stage::geometry)));
     for (const auto& grid : grids) geometry::mark_scene(*grid, fingerprint);
@@ -117,5 +144,6 @@ void write_geometry(StageContext& context) {
 int main(int argc, char** argv) {
     using namespace tidewater;
     return run_stage(argc, argv, scene::Stage::geometry,
-                     "Writes the scene's tank, water and block as OpenVDB level sets.", write_geometry);
+                     "Writes the scene's tank, shelf, water, ice and block as OpenVDB level sets.",
+                     write_geometry);
 }

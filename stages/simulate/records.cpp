@@ -28,8 +28,10 @@ std::vector<std::string> ledger_columns() {
     std::vector<std::string> columns{"time", "step", "mass"};
     for (const auto& axis : axes) columns.push_back("momentum_" + axis);
     for (const auto& axis : axes) columns.push_back("wall_impulse_" + axis);
-    columns.insert(columns.end(),
-                   {"gravity_impulse_z", "kinetic", "gravitational", "elastic", "boundary_work", "energy"});
+    columns.insert(columns.end(), {"gravity_impulse_z", "kinetic", "gravitational", "elastic",
+                                   "boundary_work", "outflow_mass"});
+    for (const auto& axis : axes) columns.push_back("outflow_momentum_" + axis);
+    columns.insert(columns.end(), {"outflow_energy", "energy"});
     return columns;
 }
 
@@ -155,20 +157,21 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     gauges_.append(row);
 
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
-    energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic;
+    energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic + s.outflow.energy - s.boundary_work;
     if (first_row_) start_energy_ = highest_energy_ = energy_;
     first_row_ = false;
     highest_energy_ = std::max(highest_energy_, energy_);
-    Vector<D, double> residual = ledger.momentum - s.wall_impulse;
+    Vector<D, double> residual = ledger.momentum + s.outflow.momentum - s.wall_impulse;
     residual[D - 1] -= s.gravity_impulse;
     momentum_residual_ = residual.norm();
 
     row = {s.time, static_cast<double>(s.step), ledger.mass};
     row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
     row.insert(row.end(), s.wall_impulse.begin(), s.wall_impulse.end());
-    constexpr double boundary_work = 0.0;  // of walls at rest
     row.insert(row.end(), {s.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
-                           boundary_work, energy_});
+                           s.boundary_work, s.outflow.mass});
+    row.insert(row.end(), s.outflow.momentum.begin(), s.outflow.momentum.end());
+    row.insert(row.end(), {s.outflow.energy, energy_});
     ledger_.append(row);
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "format.h"
-#include "stop.h"
+#include "mpm/settle.h"
 
 namespace tidewater {
 namespace {
@@ -35,7 +35,8 @@ double seconds_since(Clock::time_point start) {
 template <int D, class Real>
 Run<D, Real>::Run(const StageContext& context, mpm::Simulation<D, Real>& simulation, Checkpoint& checkpoint,
                   Records<D, Real>& records, Log& log, const RunState& earlier, Clock::time_point started)
-    : simulate_(context.scene.simulate),
+    : scene_(context.scene),
+      simulate_(context.scene.simulate),
       until_(context.until),
       s_(simulation),
       checkpoint_(checkpoint),
@@ -52,6 +53,7 @@ template <int D, class Real>
 bool Run<D, Real>::to_end() {
     const StopWish wish;
     const double end = rounded(simulate_.end_time);
+    settle(wish);
     for (;;) {
         const bool ended = s_.time >= end;
         write_due(ended);
@@ -67,6 +69,29 @@ bool Run<D, Real>::to_end() {
         progress_.update(s_.time / end, format("t = %.3f s of %g s", s_.time, end));
         step(end);
     }
+}
+
+// Before time begins, also from a checkpoint of that phase.
+template <int D, class Real>
+void Run<D, Real>::settle(const StopWish& wish) {
+    if (!scene_.has("settle")) return;
+    if (s_.step == 0 && s_.settling.time == 0.0) begin_settling(s_);
+    if (s_.settling.going == 0) return;
+    const double tolerance = scene_.settle.tolerance;
+    while (!settle_step(s_, tolerance)) {
+        if (wish.signal() != 0) stop(wish.signal());
+        save_if_due();
+        progress_.update(0.0,
+                         format("settling: waves of %.3g Pa, to be %.3g Pa", s_.settling.stress, tolerance));
+        if (s_.settling.time <= scene_.settle.max_time) continue;
+        throw NumericsError(
+            format("the start has not settled after %g s: waves of %.3g Pa are left (settle.tolerance "
+                   "%g Pa); what floats or slides away never does; raise settle.tolerance or "
+                   "settle.max_time, or take \"settle\" out of effects",
+                   scene_.settle.max_time, s_.settling.stress, tolerance));
+    }
+    say(format("settled after %.3g s: waves of %.3g Pa are left (settle.tolerance %g Pa)", s_.settling.time,
+               s_.settling.stress, tolerance));
 }
 
 // Advances by the step that was chosen before, and chooses the next: one of several equal ones that end at

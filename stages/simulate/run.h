@@ -8,6 +8,7 @@
 #include "log.h"
 #include "records.h"
 #include "schedule.h"
+#include "stop.h"
 
 namespace tidewater {
 
@@ -26,6 +27,7 @@ public:
     bool to_end();
 
 private:
+    void settle(const StopWish& wish);
     void step(double end);
     void write_due(bool ended);
     void save_if_due();
@@ -33,6 +35,7 @@ private:
     [[noreturn]] void stop(int signal);
     void say(const std::string& line);
 
+    const scene::Scene& scene_;
     const scene::Scene::Simulate& simulate_;
     double until_;
     mpm::Simulation<D, Real>& s_;

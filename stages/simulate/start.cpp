@@ -21,6 +21,31 @@ mpm::Walls<D> make_walls(const scene::Scene::Domain& domain) {
     return walls;
 }
 
+template <int D>
+mpm::Boundaries<D> make_boundaries(const scene::Scene& scene) {
+    mpm::Boundaries<D> boundaries{.walls = make_walls<D>(scene.domain), .shelf = {}, .push = {}};
+    if (scene.has("shelf")) boundaries.shelf = {scene.shelf.length, scene.shelf.height, scene.shelf.wall};
+    if (scene.has("push")) boundaries.push = {scene.push.speed, scene.push.ramp};
+    return boundaries;
+}
+
+mpm::Outlet make_outlet(const scene::Scene& scene) {
+    if (!scene.has("outlet")) return {};
+    return {.from = scene.domain.size.front() - scene.outlet.width, .level = scene.water.depth};
+}
+
+double density_of(Material material, const scene::Scene& scene) {
+    switch (material) {
+        case Material::water:
+            return scene.water.model.density;
+        case Material::ice:
+            return scene.ice.model.density;
+        case Material::rigid:
+            return scene.block.density;
+    }
+    return 0.0;
+}
+
 void check_made_for(const scene::Scene& scene, const openvdb::FloatGrid& grid,
                     const std::filesystem::path& file) {
     const std::string part = stage_part(scene, scene::Stage::geometry);
@@ -42,19 +67,19 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
     start.parameters = {.gravity = scene.domain.gravity,
                         .cfl = scene.simulate.cfl,
                         .water = scene.water.model,
-                        .ice = {},
-                        .walls = make_walls<D>(scene.domain)};
+                        .ice = ice_model(scene),
+                        .boundaries = make_boundaries<D>(scene),
+                        .outlet = make_outlet(scene)};
     std::size_t count = 0;
     if (!std::filesystem::exists(file))
         throw InputError(file.string() + ": missing; run tidewater-geometry first");
     for (const auto& grid : io::read_level_sets(file)) {
         check_made_for(scene, *grid, file);
-        if (grid->getName() == "tank") continue;
+        if (grid->getName() == "tank" || grid->getName() == "shelf") continue;
         auto& body = start.bodies.emplace_back();
         body.material = geometry::body_material(*grid);
         body.volume = geometry::body_volume(*grid);
-        body.mass = body.volume *
-                    (body.material == Material::water ? scene.water.model.density : scene.block.density);
+        body.mass = body.volume * density_of(body.material, scene);
         body.surface = scene.water.depth;
         body.points = geometry::seed_points<D>(*grid, {.cell_size = scene.domain.cell_size,
                                                        .per_axis = scene.particles.per_axis,
@@ -64,7 +89,7 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
         count += body.points.size();
     }
     if (count == 0)
-        throw SceneError("the scene has no particles: its bodies are empty; see water.* and block.*");
+        throw SceneError("the scene has no particles: its bodies are empty; see water.*, ice.* and block.*");
     return start;
 }
 

@@ -157,7 +157,7 @@ struct DenseTwin {
             const auto a = static_cast<std::size_t>(axis);
             for (int side = 0; side < 2; ++side) {
                 if (side == 0 ? i[a] > 0 : i[a] < start.cells[a]) continue;
-                const auto rule = start.parameters.walls[a][static_cast<std::size_t>(side)];
+                const auto rule = start.parameters.boundaries.walls[a][static_cast<std::size_t>(side)];
                 const double outward = side == 0 ? -1 : 1;
                 if (rule == mpm::WallRule::stick) v.setZero();
                 if (rule == mpm::WallRule::slip || v[axis] * outward > 0) v[axis] = 0;

@@ -75,7 +75,7 @@ mpm::Start<D> dropped_block_start(mpm::WallRule rule = mpm::WallRule::slip) {
     Vector<D, double> corner = Vector<D, double>::Constant(D == 2 ? 0.33 : 0.24);
     corner[D - 1] = D == 2 ? 0.55 : 0.35;
     mpm::Start<D> start = tank_start<D>(0.05, cells, D == 2 ? 0.6 : 0.4, 20.0, 0.2, corner, 2, 0.5);
-    for (auto& axis : start.parameters.walls) axis = {rule, rule};
+    for (auto& axis : start.parameters.boundaries.walls) axis = {rule, rule};
     return start;
 }
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <initializer_list>
 
 #include <vector>
@@ -16,9 +17,9 @@ std::vector<Node<double>> walled(WallRule rule, const Index<2>& block, double vx
                                  WallAction<2>& action) {
     const Layout<2> layout{0.5, {32, 20}};
     std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(vx, vz, 0.0, 2.0));
-    Walls<2> walls;
-    for (auto& axis : walls) axis = {rule, rule};
-    action = apply_walls<2, double>(layout, walls, block, nodes.data());
+    Boundaries<2> boundaries;
+    for (auto& axis : boundaries.walls) axis = {rule, rule};
+    action = apply_boundaries<2, double>(layout, boundaries, 0.0, block, nodes.data());
     return nodes;
 }
 
@@ -62,5 +63,67 @@ TEST_CASE("stick walls stop everything, and blocks without a wall are left alone
 TEST_CASE("nodes without mass get no impulse") {
     const Layout<2> layout{0.5, {32, 20}};
     std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(1.0, 1.0, 0.0, 0.0));
-    CHECK(apply_walls<2, double>(layout, {}, {2, 2}, nodes.data()).impulse.isZero());
+    CHECK(apply_boundaries<2, double>(layout, {}, 0.0, {2, 2}, nodes.data()).impulse.isZero());
+}
+
+TEST_CASE(
+    "a shelf carries what presses on its top, lets go of what leaves it, and its front keeps water out") {
+    const Layout<2> layout{1.0, {32, 32}};
+    Boundaries<2> boundaries;
+    boundaries.shelf = {6.0, 4.0, WallRule::separate};
+    const auto act = [&](double vx, double vz) {
+        std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(vx, vz, 0.0, 2.0));
+        apply_boundaries<2, double>(layout, boundaries, 0.0, {2, 2}, nodes.data());
+        return nodes;
+    };
+    const auto pressed = act(-1.0, -1.0);
+    CHECK(at(pressed, 3, 4).isApprox(Node<double>(-1.0, 0.0, 0.0, 2.0)));  // on top: slides freely
+    CHECK(at(pressed, 3, 5).isApprox(Node<double>(-1.0, -1.0, 0.0, 2.0)));
+    CHECK(at(pressed, 6, 2).isApprox(Node<double>(0.0, -1.0, 0.0, 2.0)));  // at the front
+    CHECK(at(pressed, 7, 2).isApprox(Node<double>(-1.0, -1.0, 0.0, 2.0)));
+    CHECK(at(pressed, 6, 4).isApprox(Node<double>(0.0, 0.0, 0.0, 2.0)));  // at the edge both
+    const auto leaving = act(1.0, 1.0);
+    CHECK(at(leaving, 3, 4).isApprox(Node<double>(1.0, 1.0, 0.0, 2.0)));
+    CHECK(at(leaving, 6, 2).isApprox(Node<double>(1.0, 1.0, 0.0, 2.0)));
+    boundaries.shelf.rule = WallRule::slip;
+    CHECK(at(act(1.0, 1.0), 3, 4).isApprox(Node<double>(1.0, 0.0, 0.0, 2.0)));
+    CHECK(
+        at(act(1.0, 1.0), 6, 4).isApprox(Node<double>(1.0, 1.0, 0.0, 2.0)));  // the edge lets go all the same
+}
+
+TEST_CASE("a push moves what lies behind it at its speed, holds nothing back and says its work") {
+    const Layout<2> layout{1.0, {32, 32}};
+    Boundaries<2> boundaries;
+    boundaries.push = {2.0, 0.0};
+    const auto act = [&](double vx, double time, WallAction<2>& action) {
+        std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(vx, -1.0, 0.0, 3.0));
+        action = apply_boundaries<2, double>(layout, boundaries, time, {2, 3}, nodes.data());
+        return nodes;
+    };
+    WallAction<2> action;
+    const auto pushed = act(0.5, 2.2, action);  // at x = 4.4
+    for (int x = 0; x <= 5; ++x) CHECK(at(pushed, x, 3)[0] == 2.0);
+    CHECK(at(pushed, 6, 3)[0] == 0.5);
+    CHECK(at(pushed, 2, 3)[1] == -1.0);
+    const double impulse = 6 * 16 * 3.0 * 1.5;
+    CHECK(action.impulse[0] == doctest::Approx(impulse));
+    CHECK(action.work == doctest::Approx(2.0 * impulse));
+    CHECK(at(act(5.0, 2.2, action), 2, 3)[0] == 5.0);
+    CHECK(action.work == 0.0);
+}
+
+TEST_CASE(
+    "a push with a ramp starts and ends it without a jump in speed, and its place is the integral of that") {
+    const Push push{3.0, 8.0};
+    double x = 0.0, before = 0.0;
+    const double dt = 1e-3;
+    for (int n = 0; n < 12000; ++n) {
+        const double v = push.velocity((n + 0.5) * dt);
+        CHECK(std::abs(v - before) <= 1.01 * dt * 0.5 * 3.0 * 3.1416 / 8.0);
+        before = v;
+        x += v * dt;
+        CHECK(push.position((n + 1) * dt) == doctest::Approx(x).epsilon(1e-5));
+    }
+    CHECK(push.velocity(8.0) == 3.0);
+    CHECK(push.velocity(-1.0) == 0.0);
 }

@@ -169,9 +169,7 @@ TEST_CASE("elastic ice reports inverted and infinite strains") {
 
 TEST_CASE("the uniaxial strength is that of the table in physics.md §2") {
     IceModel model;
-    const struct {
-        double beta, in_2d, in_3d;
-    } rows[] = {{1.0, 0.375e6, 0.390e6}, {0.5, 0.537e6, 0.595e6}};
+    const struct { double beta, in_2d, in_3d; } rows[] = {{1.0, 0.375e6, 0.390e6}, {0.5, 0.537e6, 0.595e6}};
     for (const auto& row : rows) {
         model.beta = row.beta;
         CHECK(model.uniaxial_strength(2) == doctest::Approx(row.in_2d).epsilon(2e-3));
