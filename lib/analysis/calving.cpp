@@ -1,0 +1,303 @@
+#include "analysis/calving.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "analysis/neighbours.h"
+#include "analysis/union_find.h"
+
+namespace tidewater::analysis {
+namespace {
+
+constexpr float never = std::numeric_limits<float>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Box {
+    std::array<double, 3> low, high;  // of the particles' centres
+};
+
+Box bounds(std::span<const float> points) {
+    Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        box.low[i % 3] = std::min<double>(box.low[i % 3], points[i]);
+        box.high[i % 3] = std::max<double>(box.high[i % 3], points[i]);
+    }
+    return box;
+}
+
+std::vector<float> failure_times(const IceAtRest& ice) {
+    std::vector<float> times(ice.failure_time.begin(), ice.failure_time.end());
+    for (float& time : times) time = std::isnan(time) ? never : time;
+    return times;
+}
+
+double smallest_volume(const Box& box, const CalvingSettings& settings) {
+    const double height = box.high[2] - box.low[2] + settings.spacing;
+    const double width = settings.dimension == 3 ? box.high[1] - box.low[1] + settings.spacing : 1.0;
+    return settings.smallest_share * height * height * width;
+}
+
+// A connection, there until one of its ends fails.
+struct Link {
+    float time;
+    std::uint32_t a, b;
+};
+
+// Parts of the ice that grow together, with their volumes. The rear is one more thing, behind the particles.
+class Parts {
+public:
+    Parts(std::span<const float> volume, double smallest)
+        : sets_(volume.size() + 1),
+          volume_(volume.begin(), volume.end()),
+          smallest_(smallest),
+          rear_(static_cast<std::uint32_t>(volume.size())) {
+        volume_.push_back(0.0);
+    }
+
+    std::uint32_t rear() const { return rear_; }
+    std::uint32_t root(std::uint32_t p) { return sets_.root(p); }
+    double volume(std::uint32_t p) { return volume_[root(p)]; }
+    bool at_rear(std::uint32_t p) { return root(p) == root(rear_); }
+    bool is_iceberg(std::uint32_t p) { return volume(p) >= smallest_ && !at_rear(p); }
+
+    void connect(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return;
+        volume_[std::min(a, b)] += volume_[std::max(a, b)];
+        sets_.connect(a, b);
+    }
+
+private:
+    UnionFind sets_;
+    std::vector<double> volume_;  // of each root
+    double smallest_;
+    std::uint32_t rear_;
+};
+
+// Makes the connections that last, and returns the others from the last to break to the first.
+std::vector<Link> connect_what_lasts(const IceAtRest& ice, std::span<const float> times, double rear_end,
+                                     double reach, Parts& parts) {
+    std::vector<Link> links;
+    const auto link = [&](float time, std::uint32_t a, std::uint32_t b) {
+        if (time == never) {
+            parts.connect(a, b);
+        } else {
+            links.push_back({time, a, b});
+        }
+    };
+    std::vector<std::uint32_t> all(times.size());
+    std::iota(all.begin(), all.end(), 0u);
+    for_each_pair(ice.points, all, reach,
+                  [&](std::uint32_t a, std::uint32_t b) { link(std::min(times[a], times[b]), a, b); });
+    for (const std::uint32_t p : all) {
+        if (ice.points[3 * p] <= rear_end) link(times[p], p, parts.rear());
+    }
+    std::ranges::sort(links, std::ranges::greater(), &Link::time);
+    return links;
+}
+
+struct Detachment {
+    float time;
+    std::uint32_t particle;  // one of the iceberg's
+};
+
+// A part large enough that is not connected to the rear yet.
+struct Iceberg {
+    std::uint32_t particle;  // one of it
+    double volume;
+};
+
+// The icebergs among the parts that the candidates belong to, each once.
+std::vector<Iceberg> find_icebergs(std::vector<std::uint32_t> candidates, Parts& parts) {
+    for (std::uint32_t& p : candidates) p = parts.root(p);
+    std::ranges::sort(candidates);
+    const auto repeated = std::ranges::unique(candidates);
+    candidates.erase(repeated.begin(), repeated.end());
+    std::vector<Iceberg> icebergs;
+    for (const std::uint32_t p : candidates) {
+        if (parts.is_iceberg(p)) icebergs.push_back({p, parts.volume(p)});
+    }
+    return icebergs;
+}
+
+std::optional<Detachment> find_detachment(const IceAtRest& ice, std::span<const float> times, const Box& box,
+                                          const CalvingSettings& settings) {
+    Parts parts(ice.volume, smallest_volume(box, settings));
+    const auto links = connect_what_lasts(ice, times, box.low[0] + settings.spacing,
+                                          settings.reach * settings.spacing, parts);
+    std::vector<std::uint32_t> candidates(times.size());
+    std::iota(candidates.begin(), candidates.end(), 0u);
+    auto icebergs = find_icebergs(candidates, parts);
+    std::optional<Detachment> found;
+    for (std::size_t begin = 0, end = 0; begin < links.size(); begin = end) {
+        const float time = links[begin].time;  // what failed in one step comes back in one
+        candidates.clear();
+        for (end = begin; end < links.size() && links[end].time == time; ++end) {
+            parts.connect(links[end].a, links[end].b);
+            candidates.push_back(links[end].a);
+        }
+        double greatest = 0.0;
+        for (const Iceberg& iceberg : icebergs) {
+            candidates.push_back(iceberg.particle);
+            if (!parts.at_rear(iceberg.particle) || iceberg.volume <= greatest) continue;
+            greatest = iceberg.volume;
+            found = {time, iceberg.particle};
+        }
+        icebergs = find_icebergs(std::move(candidates), parts);
+        candidates = {};
+    }
+    return found;
+}
+
+enum class Side : std::uint8_t { neither, iceberg, rear };
+
+// On which side of the crack each particle was just after the detachment.
+std::vector<Side> divide(const IceAtRest& ice, std::span<const float> times, const Detachment& detachment,
+                         double rear_end, double reach) {
+    std::vector<std::uint8_t> intact;
+    for (const float time : times) intact.push_back(time > detachment.time);
+    const Fragments fragments = label_fragments(ice.points, intact, reach);
+    std::vector<Side> sides(fragments.size.size(), Side::neither);
+    for (std::size_t p = 0; p < times.size(); ++p) {
+        if (intact[p] && ice.points[3 * p] <= rear_end) sides[fragments.label[p]] = Side::rear;
+    }
+    sides[fragments.label[detachment.particle]] = Side::iceberg;
+    std::vector<Side> of_particle;
+    for (const std::uint32_t label : fragments.label)
+        of_particle.push_back(label == Fragments::none ? Side::neither : sides[label]);
+    return of_particle;
+}
+
+struct Row {
+    double z = 0.0;
+    double front = -infinity;         // greatest x
+    double rear = -infinity;          // greatest x of the rear's part that is behind the iceberg
+    double iceberg = infinity;        // least x of the iceberg
+    double first_failure = infinity;  // between both, s
+
+    bool cracked() const { return std::isfinite(rear) && std::isfinite(iceberg); }
+    double crack() const { return 0.5 * (rear + iceberg); }
+};
+
+std::vector<Row> make_rows(const IceAtRest& ice, std::span<const float> times, std::span<const Side> sides,
+                           const Box& box, double spacing, float detachment) {
+    const auto bin = [&](std::size_t axis, double x) {
+        return static_cast<std::size_t>((x - box.low[axis]) / spacing + 0.5);
+    };
+    const std::size_t heights = bin(2, box.high[2]) + 1;
+    std::vector<Row> rows(heights * (bin(1, box.high[1]) + 1));
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        rows[r].z = box.low[2] + spacing * static_cast<double>(r % heights);
+    const auto for_each = [&](const auto& visit) {
+        for (std::size_t p = 0; p < times.size(); ++p) {
+            const float* at = ice.points.data() + 3 * p;
+            visit(rows[bin(1, at[1]) * heights + bin(2, at[2])], p, static_cast<double>(at[0]));
+        }
+    };
+    for_each([&](Row& row, std::size_t p, double x) {
+        row.front = std::max(row.front, x);
+        if (sides[p] == Side::iceberg) row.iceberg = std::min(row.iceberg, x);
+    });
+    for_each([&](Row& row, std::size_t p, double x) {
+        if (sides[p] == Side::rear && x < row.iceberg) row.rear = std::max(row.rear, x);
+    });
+    for_each([&](Row& row, std::size_t p, double x) {
+        if (times[p] <= detachment && row.cracked() && row.rear < x && x < row.iceberg)
+            row.first_failure = std::min<double>(row.first_failure, times[p]);
+    });
+    return rows;
+}
+
+// Where the ice in front of the crack lies; rear is the crack's mean x.
+struct Height {
+    double low, thickness;
+    double share(double z) const { return (z - low) / thickness; }
+};
+
+Height front_height(const IceAtRest& ice, double crack, double spacing) {
+    double low = infinity, high = -infinity;
+    for (std::size_t i = 0; i < ice.points.size(); i += 3) {
+        if (ice.points[i] < crack) continue;
+        low = std::min<double>(low, ice.points[i + 2]);
+        high = std::max<double>(high, ice.points[i + 2]);
+    }
+    return {low - 0.5 * spacing, high - low + spacing};
+}
+
+// Mean of value(row) over the cracked rows between two shares of the height; NaN if there is none.
+template <class Value>
+double mean(std::span<const Row> rows, const Height& height, double from, double to, const Value& value) {
+    double sum = 0.0, count = 0.0;
+    for (const Row& row : rows) {
+        if (!row.cracked() || height.share(row.z) < from || height.share(row.z) > to) continue;
+        sum += value(row);
+        count += 1.0;
+    }
+    return count > 0.0 ? sum / count : none;
+}
+
+void find_start(std::vector<Row> rows, const Height& height, Calving& calving) {
+    std::erase_if(rows, [](const Row& row) { return !std::isfinite(row.first_failure); });
+    if (rows.empty()) return;
+    std::ranges::sort(rows, {}, &Row::first_failure);
+    std::vector<double> shares;
+    for (const Row& row : rows) {
+        if (row.first_failure <= rows[rows.size() / 2].first_failure) shares.push_back(height.share(row.z));
+    }
+    const auto median = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
+    std::ranges::nth_element(shares, median);
+    const auto third = [](double share) {
+        if (share > 2.0 / 3.0) return CrackStart::top;
+        return share < 1.0 / 3.0 ? CrackStart::bottom : CrackStart::inside;
+    };
+    calving.start = third(*median);
+    const auto there = [&](const Row& row) { return third(height.share(row.z)) == calving.start; };
+    calving.start_time = std::ranges::find_if(rows, there)->first_failure;
+}
+
+}  // namespace
+
+std::optional<Calving> first_detachment(const IceAtRest& ice, const CalvingSettings& settings) {
+    assert(ice.points.size() == 3 * ice.volume.size() && ice.volume.size() == ice.failure_time.size());
+    assert(settings.spacing > 0.0);
+    if (ice.volume.empty()) return {};
+    const Box box = bounds(ice.points);
+    const std::vector<float> times = failure_times(ice);
+    const auto detachment = find_detachment(ice, times, box, settings);
+    if (!detachment) return {};
+
+    const double spacing = settings.spacing;
+    const auto sides = divide(ice, times, *detachment, box.low[0] + spacing, settings.reach * spacing);
+    Calving calving{.time = detachment->time, .volume = 0.0};
+    for (std::size_t p = 0; p < sides.size(); ++p) {
+        if (sides[p] == Side::iceberg) calving.volume += ice.volume[p];
+    }
+    const auto rows = make_rows(ice, times, sides, box, spacing, detachment->time);
+    const Height any{box.low[2], 1.0};
+    const double crack = mean(rows, any, -infinity, infinity, [](const Row& row) { return row.crack(); });
+    if (std::isnan(crack)) return calving;
+
+    const Height height = front_height(ice, crack, spacing);
+    const auto length = [&](double from, double to) {
+        return mean(rows, height, from, to,
+                    [&](const Row& row) { return row.front + 0.5 * spacing - row.crack(); });
+    };
+    const double band = std::max(0.05, spacing / height.thickness);
+    calving.length = length(-infinity, infinity);
+    calving.length_top = length(1.0 - band, infinity);
+    calving.length_middle = length(0.5 - band, 0.5 + band);
+    calving.length_bottom = length(-infinity, band);
+    calving.height = height.thickness;
+    find_start(rows, height, calving);
+    return calving;
+}
+
+}  // namespace tidewater::analysis
