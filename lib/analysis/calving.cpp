@@ -254,16 +254,16 @@ void find_start(std::vector<Row> rows, const Height& height, Calving& calving) {
     }
     const auto median = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
     std::ranges::nth_element(shares, median);
-    const auto third = [](double share) {
-        if (share > 2.0 / 3.0) return CrackStart::top;
-        return share < 1.0 / 3.0 ? CrackStart::bottom : CrackStart::inside;
-    };
-    calving.start = third(*median);
-    const auto there = [&](const Row& row) { return third(height.share(row.z)) == calving.start; };
+    calving.start_height = *median;
+    const auto there = [&](const Row& row) { return crack_start(height.share(row.z)) == calving.start(); };
     calving.start_time = std::ranges::find_if(rows, there)->first_failure;
 }
 
 }  // namespace
+
+double smallest_iceberg(const IceAtRest& ice, const CalvingSettings& settings) {
+    return smallest_volume(bounds(ice.points), settings);
+}
 
 std::optional<Calving> first_detachment(const IceAtRest& ice, const CalvingSettings& settings) {
     assert(ice.points.size() == 3 * ice.volume.size() && ice.volume.size() == ice.failure_time.size());

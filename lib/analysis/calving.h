@@ -41,6 +41,12 @@ struct CalvingSettings {
 
 enum class CrackStart { top, bottom, inside };
 
+// The third of the height in which a share of it lies; inside for NaN.
+constexpr CrackStart crack_start(double height_share) {
+    if (height_share > 2.0 / 3.0) return CrackStart::top;
+    return height_share < 1.0 / 3.0 ? CrackStart::bottom : CrackStart::inside;
+}
+
 // Lengths are distances behind the front, m. NaN: no row of that height has the iceberg and the rear's part,
 // as if the ice came off at its rear.
 struct Calving {
@@ -51,12 +57,18 @@ struct Calving {
     double length_bottom = none;  // in the lowest twentieth
     double height = none;         // of the ice in front of the crack, m
     double volume = none;         // of the iceberg's intact ice, m³ (2D: m²)
-    // The third of the height in which the median of the earlier half of the rows lies, by each row's first
-    // failure, and the first failure there. So a toe or a shelf's edge that was crushed before, over less
-    // than a quarter of the height, does not count as the crack's start.
-    CrackStart start = CrackStart::inside;
+    // Where the crack began, from 0 at the base to 1 at the surface: the median height of the earlier half of
+    // the rows, by each row's first failure; so a toe or a shelf's edge that was crushed before, over less
+    // than a quarter of the height, does not count. And the first failure in that third of the height.
+    double start_height = none;
     double start_time = none;  // s
+
+    // The third of the height in which start_height lies; inside if there is none.
+    CrackStart start() const { return crack_start(start_height); }
 };
+
+// smallest_share as a volume, m³ (2D: m²). The ice must have a particle.
+double smallest_iceberg(const IceAtRest& ice, const CalvingSettings& settings);
 
 // The rear is what lies within a spacing of the least x, and holds together whatever fails; the front has the
 // greatest x. Nothing if no part of smallest_share came off.

@@ -59,7 +59,7 @@ TEST_CASE("a vertical crack from the top gives the time at which it is through, 
     CHECK(found->length_bottom == doctest::Approx(61.0));
     CHECK(found->height == doctest::Approx(80.0));
     CHECK(found->volume == doctest::Approx(80.0 * 58.0));
-    CHECK(found->start == CrackStart::top);
+    CHECK(found->start() == CrackStart::top);
     CHECK(found->start_time == doctest::Approx(5.01));
 }
 
@@ -69,15 +69,22 @@ TEST_CASE("a vertical crack from the bottom starts there") {
     const auto found = slab.calving();
     REQUIRE(found);
     CHECK(found->length == doctest::Approx(41.0));
-    CHECK(found->start == CrackStart::bottom);
+    CHECK(found->start() == CrackStart::bottom);
     CHECK(found->start_time == doctest::Approx(5.01));
+}
+
+TEST_CASE("thirds of the height name where a crack starts") {
+    CHECK(crack_start(0.9) == CrackStart::top);
+    CHECK(crack_start(0.5) == CrackStart::inside);
+    CHECK(crack_start(0.1) == CrackStart::bottom);
+    CHECK(crack_start(NAN) == CrackStart::inside);
 }
 
 TEST_CASE("a crack from within starts inside") {
     const auto slab = Slab{}.fill([](double d, double z, double) {
         return in_crack(d, 41.0) ? 5.0 + std::abs(z - 40.0) / 100.0 : never;
     });
-    CHECK(slab.calving()->start == CrackStart::inside);
+    CHECK(slab.calving()->start() == CrackStart::inside);
 }
 
 TEST_CASE("an inclined crack has its mean length halfway up") {
@@ -90,7 +97,7 @@ TEST_CASE("an inclined crack has its mean length halfway up") {
     CHECK(std::abs(found->length_top - 60.0) < spacing);
     CHECK(std::abs(found->length_middle - 80.0) < spacing);
     CHECK(std::abs(found->length_bottom - 100.0) < spacing);
-    CHECK(found->start == CrackStart::top);
+    CHECK(found->start() == CrackStart::top);
 }
 
 TEST_CASE("a slab that never fails, a partial crack and failed edges detach nothing") {
@@ -115,8 +122,18 @@ TEST_CASE("a crushed toe and crumbs are no icebergs, and do not shorten the one 
     REQUIRE(found);
     CHECK(found->time == doctest::Approx(5.65));
     CHECK(std::abs(found->length - 61.0) < 0.5 * spacing);
-    CHECK(found->start == CrackStart::top);
+    CHECK(found->start() == CrackStart::top);
     CHECK(found->start_time == doctest::Approx(5.01));
+}
+
+TEST_CASE("what is an iceberg is told by its share of the square of the height") {
+    auto slab = Slab{}.fill([](double d, double, double) { return in_crack(d, 15.0) ? 1.0 : never; });
+    CalvingSettings settings{.spacing = spacing, .smallest_share = 0.14};  // 12 m of 80 m are intact
+    const IceAtRest ice{slab.points, slab.volume, slab.failure_time};
+    CHECK(smallest_iceberg(ice, settings) == doctest::Approx(0.14 * 80.0 * 80.0));
+    CHECK(first_detachment(ice, settings));
+    settings.smallest_share = 0.16;
+    CHECK(!first_detachment(ice, settings));
 }
 
 TEST_CASE("of two cracks the one that is through first counts, whichever is nearer to the front") {
@@ -152,7 +169,7 @@ TEST_CASE("a crack that is through in one step has no part that is first") {
     REQUIRE(found);
     CHECK(found->time == doctest::Approx(3.0));
     CHECK(found->start_time == doctest::Approx(3.0));
-    CHECK(found->start == CrackStart::inside);
+    CHECK(found->start() == CrackStart::inside);
 }
 
 TEST_CASE("ice that comes off at its rear has a volume but no length") {
@@ -172,7 +189,7 @@ TEST_CASE("in three dimensions a crack across an inclined plane has the mean of 
     const auto found = slab.calving();
     REQUIRE(found);
     CHECK(std::abs(found->length - 65.0) < spacing);
-    CHECK(found->start == CrackStart::bottom);
+    CHECK(found->start() == CrackStart::bottom);
     CHECK(std::abs(found->volume - 63.0 * 80.0 * 60.0) < 2.0 * spacing * 80.0 * 60.0);
 }
 
@@ -187,7 +204,7 @@ TEST_CASE("particles moved at random within their shares change the length by le
     const auto found = slab.calving();
     REQUIRE(found);
     CHECK(std::abs(found->length - 61.0) < spacing);
-    CHECK(found->start == CrackStart::top);
+    CHECK(found->start() == CrackStart::top);
 }
 
 TEST_CASE("a million particles of which all fail take less than seconds") {
