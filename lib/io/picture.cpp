@@ -177,8 +177,8 @@ void draw_legend(Canvas& canvas, const PictureParticles& particles, const Layout
         canvas.rectangle({x, y - 9 * u}, {x + width, y + 9 * u}, palette::ink);
         const double left = x + 1.5 * u, length = width - 3 * u;
         for (double at = 0.0; at < length; at += 1.0) {
-            canvas.rectangle({left + at, y - 7.5 * u}, {left + std::min(at + 1.0, length), y + 7.5 * u},
-                             color(at / length));
+            // To the right end, so that no ink shows between parts of pixels.
+            canvas.rectangle({left + at, y - 7.5 * u}, {left + length, y + 7.5 * u}, color(at / length));
         }
         x += width - 30 * u;
         name(text);
