@@ -66,3 +66,29 @@ run "$bin/tidewater-postprocess" tiny.toml --run tiny
 expect_code 0
 expect_no_file tiny/postprocess/icebergs.csv
 expect_no_file tiny/postprocess/fragments.csv
+
+case_named "tidewater-overhang puts runs beside beam theory"
+cp -r broken deeper
+sed -i 's/^depth = .*/depth = 92/' deeper/postprocess/scene.toml
+run "$bin/tidewater-overhang" deeper broken cracked --out compared
+expect_code 0
+expect_file compared/overhang.svg
+expect_same "$(grep --invert-match '^#' compared/overhang.csv | cut --delimiter=, --fields=1-3)" "run,height,depth_ratio
+broken,80,0.2
+cracked,80,0.2
+deeper,80,0.4"
+expect_near "Li/H" "$(value compared/overhang.csv length_ratio)" 0.7625 0.03
+expect_near "eq. 1" "$(value compared/overhang.csv eq1)" 0.7792 0.001
+expect_same "$(find compared | wc -l)" 3
+
+case_named "tidewater-overhang tells what is missing"
+run "$bin/tidewater-overhang" broken nothing
+expect_code 3
+expect_same "$output" "tidewater-overhang: nothing/postprocess/icebergs.csv: the file does not exist; run tidewater-postprocess \
+on a run whose ice fractures"
+expect_no_file overhang.csv
+run "$bin/tidewater-overhang"
+expect_code 2
+expect_line "tidewater-overhang: RUN is required"
+run "$bin/tidewater-overhang" broken --out /proc/none
+expect_code 5
