@@ -32,9 +32,17 @@ Box bounds(std::span<const float> points) {
     return box;
 }
 
-std::vector<float> failure_times(const IceAtRest& ice) {
+// Up to where the ice belongs to the rear.
+double rear_end(const Box& box, double spacing) {
+    return box.low[0] + std::max(0.1 * (box.high[2] - box.low[2]), spacing);
+}
+
+// With `never` for what never failed and for the rear.
+std::vector<float> failure_times(const IceAtRest& ice, double end_of_rear) {
     std::vector<float> times(ice.failure_time.begin(), ice.failure_time.end());
-    for (float& time : times) time = std::isnan(time) ? never : time;
+    for (std::size_t p = 0; p < times.size(); ++p) {
+        if (std::isnan(times[p]) || ice.points[3 * p] <= end_of_rear) times[p] = never;
+    }
     return times;
 }
 
@@ -83,7 +91,7 @@ private:
 };
 
 // Makes the connections that last, and returns the others from the last to break to the first.
-std::vector<Link> connect_what_lasts(const IceAtRest& ice, std::span<const float> times, double rear_end,
+std::vector<Link> connect_what_lasts(const IceAtRest& ice, std::span<const float> times, double end_of_rear,
                                      double reach, Parts& parts) {
     std::vector<Link> links;
     const auto link = [&](float time, std::uint32_t a, std::uint32_t b) {
@@ -98,7 +106,7 @@ std::vector<Link> connect_what_lasts(const IceAtRest& ice, std::span<const float
     for_each_pair(ice.points, all, reach,
                   [&](std::uint32_t a, std::uint32_t b) { link(std::min(times[a], times[b]), a, b); });
     for (const std::uint32_t p : all) {
-        if (ice.points[3 * p] <= rear_end) link(times[p], p, parts.rear());
+        if (ice.points[3 * p] <= end_of_rear) parts.connect(p, parts.rear());
     }
     std::ranges::sort(links, std::ranges::greater(), &Link::time);
     return links;
@@ -131,7 +139,7 @@ std::vector<Iceberg> find_icebergs(std::vector<std::uint32_t> candidates, Parts&
 std::optional<Detachment> find_detachment(const IceAtRest& ice, std::span<const float> times, const Box& box,
                                           const CalvingSettings& settings) {
     Parts parts(ice.volume, smallest_volume(box, settings));
-    const auto links = connect_what_lasts(ice, times, box.low[0] + settings.spacing,
+    const auto links = connect_what_lasts(ice, times, rear_end(box, settings.spacing),
                                           settings.reach * settings.spacing, parts);
     std::vector<std::uint32_t> candidates(times.size());
     std::iota(candidates.begin(), candidates.end(), 0u);
@@ -161,13 +169,13 @@ enum class Side : std::uint8_t { neither, iceberg, rear };
 
 // On which side of the crack each particle was just after the detachment.
 std::vector<Side> divide(const IceAtRest& ice, std::span<const float> times, const Detachment& detachment,
-                         double rear_end, double reach) {
+                         double end_of_rear, double reach) {
     std::vector<std::uint8_t> intact;
     for (const float time : times) intact.push_back(time > detachment.time);
     const Fragments fragments = label_fragments(ice.points, intact, reach);
     std::vector<Side> sides(fragments.size.size(), Side::neither);
     for (std::size_t p = 0; p < times.size(); ++p) {
-        if (intact[p] && ice.points[3 * p] <= rear_end) sides[fragments.label[p]] = Side::rear;
+        if (ice.points[3 * p] <= end_of_rear) sides[fragments.label[p]] = Side::rear;
     }
     sides[fragments.label[detachment.particle]] = Side::iceberg;
     std::vector<Side> of_particle;
@@ -270,12 +278,12 @@ std::optional<Calving> first_detachment(const IceAtRest& ice, const CalvingSetti
     assert(settings.spacing > 0.0);
     if (ice.volume.empty()) return {};
     const Box box = bounds(ice.points);
-    const std::vector<float> times = failure_times(ice);
+    const double spacing = settings.spacing, end_of_rear = rear_end(box, spacing);
+    const std::vector<float> times = failure_times(ice, end_of_rear);
     const auto detachment = find_detachment(ice, times, box, settings);
     if (!detachment) return {};
 
-    const double spacing = settings.spacing;
-    const auto sides = divide(ice, times, *detachment, box.low[0] + spacing, settings.reach * spacing);
+    const auto sides = divide(ice, times, *detachment, end_of_rear, settings.reach * spacing);
     Calving calving{.time = detachment->time, .volume = 0.0};
     for (std::size_t p = 0; p < sides.size(); ++p) {
         if (sides[p] == Side::iceberg) calving.volume += ice.volume[p];

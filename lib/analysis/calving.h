@@ -47,8 +47,8 @@ constexpr CrackStart crack_start(double height_share) {
     return height_share < 1.0 / 3.0 ? CrackStart::bottom : CrackStart::inside;
 }
 
-// Lengths are distances behind the front, m. NaN: no row of that height has the iceberg and the rear's part,
-// as if the ice came off at its rear.
+// Lengths are distances behind the front, m. NaN: no row of that height has both the iceberg and the rear's
+// part.
 struct Calving {
     double time = none;           // s, of the detachment
     double length = none;         // averaged over the height
@@ -70,8 +70,9 @@ struct Calving {
 // smallest_share as a volume, m³ (2D: m²). The ice must have a particle.
 double smallest_iceberg(const IceAtRest& ice, const CalvingSettings& settings);
 
-// The rear is what lies within a spacing of the least x, and holds together whatever fails; the front has the
-// greatest x. Nothing if no part of smallest_share came off.
+// The rear is what lies within a tenth of the height, and at least a spacing, of the least x. It holds
+// together and counts as intact whatever fails there, for what pushes the ice may crush it. Nothing if no
+// part of smallest_share came off.
 std::optional<Calving> first_detachment(const IceAtRest& ice, const CalvingSettings& settings);
 
 }  // namespace tidewater::analysis

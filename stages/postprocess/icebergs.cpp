@@ -106,7 +106,7 @@ std::string place_text(double length) {
 std::string describe(const analysis::Calving& calving, int dimension) {
     std::string text = "first iceberg: came off at " + io::format_fixed(calving.time, 2) + " s, " +
                        volume_text(calving.volume, dimension);
-    if (std::isnan(calving.length)) return text + ", at the ice's rear\n";
+    if (std::isnan(calving.length)) return text + ", from above or below the rest\n";
     const char* start = calving.start() == analysis::CrackStart::top      ? "at the top"
                         : calving.start() == analysis::CrackStart::bottom ? "at the bottom"
                                                                           : "inside";

@@ -172,12 +172,30 @@ TEST_CASE("a crack that is through in one step has no part that is first") {
     CHECK(found->start() == CrackStart::inside);
 }
 
-TEST_CASE("ice that comes off at its rear has a volume but no length") {
-    const auto found =
-        Slab{}.fill([](double d, double, double) { return d > 295.0 ? 3.0 : never; }).calving();
+TEST_CASE("a rear that is crushed by what pushes it detaches nothing, and hides no iceberg") {
+    const auto rear = [](double d, double, double) { return d > 293.0 ? 0.1 : never; };
+    CHECK(!Slab{}.fill(rear).calving());
+    const auto found = Slab{}
+                           .fill([&](double d, double z, double y) {
+                               return in_crack(d, 61.0) ? 5.0 + (80.0 - z) / 100.0 : rear(d, z, y);
+                           })
+                           .calving();
+    REQUIRE(found);
+    CHECK(found->time == doctest::Approx(5.79));
+    CHECK(found->length == doctest::Approx(61.0));
+}
+
+TEST_CASE("an iceberg that shares no height with the rest has a volume but no length") {
+    Slab slab;
+    slab.fill([](double, double z, double) { return in_crack(z, 41.0) ? 3.0 : never; });
+    for (std::size_t p = 0; p < slab.volume.size(); ++p) {  // the upper half begins farther from the rear
+        if (slab.points[3 * p + 2] > 30.0f + 41.0f) slab.points[3 * p] += 20.0f;
+    }
+    const auto found = slab.calving();
     REQUIRE(found);
     CHECK(std::isnan(found->length));
-    CHECK(found->volume == doctest::Approx(80.0 * 296.0));
+    CHECK(found->volume == doctest::Approx(36.0 * 300.0));
+    CHECK(found->start() == CrackStart::inside);
 }
 
 TEST_CASE("in three dimensions a crack across an inclined plane has the mean of its places") {
