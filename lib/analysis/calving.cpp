@@ -6,12 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
-#include <utility>
 #include <vector>
 
-#include "analysis/neighbours.h"
-#include "analysis/union_find.h"
+#include "analysis/detachment.h"
 
 namespace tidewater::analysis {
 namespace {
@@ -20,7 +17,7 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Box {
-    std::array<double, 3> low, high;  // of the particles' centres
+    std::array<double, 3> low, high;  // of the particles' centres, m
 };
 
 Box bounds(std::span<const float> points) {
@@ -50,119 +47,6 @@ double smallest_volume(const Box& box, const CalvingSettings& settings) {
     const double height = box.high[2] - box.low[2] + settings.spacing;
     const double width = settings.dimension == 3 ? box.high[1] - box.low[1] + settings.spacing : 1.0;
     return settings.smallest_share * height * height * width;
-}
-
-// A connection, there until one of its ends fails.
-struct Link {
-    float time;
-    std::uint32_t a, b;
-};
-
-// Parts of the ice that grow together, with their volumes. The rear is one more thing, behind the particles.
-class Parts {
-public:
-    Parts(std::span<const float> volume, double smallest)
-        : sets_(volume.size() + 1),
-          volume_(volume.begin(), volume.end()),
-          smallest_(smallest),
-          rear_(static_cast<std::uint32_t>(volume.size())) {
-        volume_.push_back(0.0);
-    }
-
-    std::uint32_t rear() const { return rear_; }
-    std::uint32_t root(std::uint32_t p) { return sets_.root(p); }
-    double volume(std::uint32_t p) { return volume_[root(p)]; }
-    bool at_rear(std::uint32_t p) { return root(p) == root(rear_); }
-    bool is_iceberg(std::uint32_t p) { return volume(p) >= smallest_ && !at_rear(p); }
-
-    void connect(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        if (a == b) return;
-        volume_[std::min(a, b)] += volume_[std::max(a, b)];
-        sets_.connect(a, b);
-    }
-
-private:
-    UnionFind sets_;
-    std::vector<double> volume_;  // of each root
-    double smallest_;
-    std::uint32_t rear_;
-};
-
-// Makes the connections that last, and returns the others from the last to break to the first.
-std::vector<Link> connect_what_lasts(const IceAtRest& ice, std::span<const float> times, double end_of_rear,
-                                     double reach, Parts& parts) {
-    std::vector<Link> links;
-    const auto link = [&](float time, std::uint32_t a, std::uint32_t b) {
-        if (time == never) {
-            parts.connect(a, b);
-        } else {
-            links.push_back({time, a, b});
-        }
-    };
-    std::vector<std::uint32_t> all(times.size());
-    std::iota(all.begin(), all.end(), 0u);
-    for_each_pair(ice.points, all, reach,
-                  [&](std::uint32_t a, std::uint32_t b) { link(std::min(times[a], times[b]), a, b); });
-    for (const std::uint32_t p : all) {
-        if (ice.points[3 * p] <= end_of_rear) parts.connect(p, parts.rear());
-    }
-    std::ranges::sort(links, std::ranges::greater(), &Link::time);
-    return links;
-}
-
-struct Detachment {
-    float time;
-    std::uint32_t particle;  // one of the iceberg's
-};
-
-// A part large enough that is not connected to the rear yet.
-struct Iceberg {
-    std::uint32_t particle;  // one of it
-    double volume;
-};
-
-// The icebergs among the parts that the candidates belong to, each once.
-std::vector<Iceberg> find_icebergs(std::vector<std::uint32_t> candidates, Parts& parts) {
-    for (std::uint32_t& p : candidates) p = parts.root(p);
-    std::ranges::sort(candidates);
-    const auto repeated = std::ranges::unique(candidates);
-    candidates.erase(repeated.begin(), repeated.end());
-    std::vector<Iceberg> icebergs;
-    for (const std::uint32_t p : candidates) {
-        if (parts.is_iceberg(p)) icebergs.push_back({p, parts.volume(p)});
-    }
-    return icebergs;
-}
-
-std::optional<Detachment> find_detachment(const IceAtRest& ice, std::span<const float> times, const Box& box,
-                                          const CalvingSettings& settings) {
-    Parts parts(ice.volume, smallest_volume(box, settings));
-    const auto links = connect_what_lasts(ice, times, rear_end(box, settings.spacing),
-                                          settings.reach * settings.spacing, parts);
-    std::vector<std::uint32_t> candidates(times.size());
-    std::iota(candidates.begin(), candidates.end(), 0u);
-    auto icebergs = find_icebergs(candidates, parts);
-    std::optional<Detachment> found;
-    for (std::size_t begin = 0, end = 0; begin < links.size(); begin = end) {
-        const float time = links[begin].time;  // what failed in one step comes back in one
-        candidates.clear();
-        for (end = begin; end < links.size() && links[end].time == time; ++end) {
-            parts.connect(links[end].a, links[end].b);
-            candidates.push_back(links[end].a);
-        }
-        double greatest = 0.0;
-        for (const Iceberg& iceberg : icebergs) {
-            candidates.push_back(iceberg.particle);
-            if (!parts.at_rear(iceberg.particle) || iceberg.volume <= greatest) continue;
-            greatest = iceberg.volume;
-            found = {time, iceberg.particle};
-        }
-        icebergs = find_icebergs(std::move(candidates), parts);
-        candidates = {};
-    }
-    return found;
 }
 
 enum class Side : std::uint8_t { neither, iceberg, rear };
@@ -224,7 +108,7 @@ std::vector<Row> make_rows(const IceAtRest& ice, std::span<const float> times, s
     return rows;
 }
 
-// Where the ice in front of the crack lies; rear is the crack's mean x.
+// Of the ice in front of the crack.
 struct Height {
     double low, thickness;
     double share(double z) const { return (z - low) / thickness; }
@@ -280,7 +164,10 @@ std::optional<Calving> first_detachment(const IceAtRest& ice, const CalvingSetti
     const Box box = bounds(ice.points);
     const double spacing = settings.spacing, end_of_rear = rear_end(box, spacing);
     const std::vector<float> times = failure_times(ice, end_of_rear);
-    const auto detachment = find_detachment(ice, times, box, settings);
+    const auto detachment = find_detachment(ice, times,
+                                            {.end_of_rear = end_of_rear,
+                                             .reach = settings.reach * spacing,
+                                             .smallest_volume = smallest_volume(box, settings)});
     if (!detachment) return {};
 
     const auto sides = divide(ice, times, *detachment, end_of_rear, settings.reach * spacing);

@@ -56,6 +56,15 @@ postprocess broken 0 --set postprocess.iceberg_share=1
 expect_code 0
 expect_same "$(value $first time)" nan
 
+case_named "which damage divides fragments is the scene's choice, and changes no detachment"
+for damage in 0.01 1; do
+    postprocess "damage_$damage" 0 --set "postprocess.iceberg_damage=$damage"
+    expect_code 0
+    expect_near time "$(value "damage_$damage/postprocess/icebergs.csv" time)" 1.495 1e-6
+done
+awk -v a="$(value damage_0.01/postprocess/fragments.csv volume)" -v b="$(value damage_1/postprocess/fragments.csv volume)" \
+    'BEGIN { exit !(b > a + 500) }' || fail_case "a greater damage leaves no greater fragments"
+
 case_named "ice without failure times leaves none of the files, not even earlier ones"
 postprocess broken 0
 "$bin/tidewater-geometry" tiny.toml --run tiny >/dev/null 2>&1
