@@ -57,6 +57,12 @@ std::string svg_dot(double x, double y, std::size_t color) {
            hex(line_color(color)) + "\" stroke=\"white\"/>\n";
 }
 
+// Twelve wide, its middle at (x, y); up: 1, down: -1.
+std::string svg_triangle(double x, double y, double up, const std::string& style) {
+    return "<polygon points=\"" + number(x - 6) + "," + number(y + 5 * up) + " " + number(x + 6) + "," +
+           number(y + 5 * up) + " " + number(x) + "," + number(y - 6 * up) + "\" " + style + "/>\n";
+}
+
 std::string stroke(std::size_t color, double width, const char* dashes = nullptr) {
     std::string style =
         "fill=\"none\" stroke=\"" + hex(line_color(color)) + "\" stroke-width=\"" + number(width) + "\"";
@@ -69,6 +75,19 @@ std::string line_style(const ChartLine& line) {
 }
 
 std::string rule_style(const ChartMark& mark) { return stroke(mark.color, 1.2, "3 3"); }
+
+bool reads_y(MarkShape shape) { return shape != MarkShape::rule && shape != MarkShape::beyond; }
+
+// Any shape but a rule.
+std::string mark_symbol(const ChartMark& mark, double x, double y) {
+    const std::string color = hex(line_color(mark.color));
+    const std::string filled = "fill=\"" + color + "\" stroke=\"white\"";
+    if (mark.shape == MarkShape::point_down) return svg_triangle(x, y, -1.0, filled);
+    if (mark.shape == MarkShape::point_up) return svg_triangle(x, y, 1.0, filled);
+    if (mark.shape == MarkShape::beyond)
+        return svg_triangle(x, y, 1.0, "fill=\"white\" stroke-width=\"1.6\" stroke=\"" + color + "\"");
+    return svg_dot(x, y, mark.color);
+}
 
 Range x_range(const Chart& chart) {
     Range range;
@@ -85,7 +104,7 @@ void include_y(const ChartPanel& panel, Range& range) {
         for (const double y : line.y) range.include(y);
     }
     for (const ChartMark& mark : panel.marks) {
-        if (mark.shape == MarkShape::dot) range.include(mark.y);
+        if (reads_y(mark.shape)) range.include(mark.y);
     }
 }
 
@@ -136,9 +155,9 @@ std::string draw_mark(const Frame& frame, const ChartMark& mark) {
         return svg_line(x, frame.top, x, frame.bottom, rule_style(mark)) +
                svg_text(x - 5, frame.bottom - 6, "end", mark.note);
     }
-    if (!std::isfinite(mark.y)) return {};
-    return svg_dot(x, frame.at_y(mark.y), mark.color) +
-           svg_text(x + 8, frame.at_y(mark.y) - 3, "start", mark.note);
+    if (reads_y(mark.shape) && !std::isfinite(mark.y)) return {};
+    const double y = reads_y(mark.shape) ? frame.at_y(mark.y) : frame.top + 9;
+    return mark_symbol(mark, x, y) + svg_text(x + 8, y - 3, "start", mark.note);
 }
 
 std::string draw_legend(const Chart& chart, double y) {
@@ -159,7 +178,7 @@ std::string draw_legend(const Chart& chart, double y) {
         }
         for (const ChartMark& mark : panel.marks) {
             const bool rule = mark.shape == MarkShape::rule;
-            entry(mark.label, rule ? svg_line(12, -8, 12, 8, rule_style(mark)) : svg_dot(12, 0, mark.color));
+            entry(mark.label, rule ? svg_line(12, -8, 12, 8, rule_style(mark)) : mark_symbol(mark, 12, 0));
         }
     }
     return svg;

@@ -17,13 +17,19 @@ struct ChartLine {
     bool dots = false;  // at the points
 };
 
-enum class MarkShape { dot, rule };  // a filled circle; a vertical line through the panel
+enum class MarkShape {
+    dot,         // a filled circle
+    point_down,  // a filled triangle, as if something came from above
+    point_up,    // and from below
+    rule,        // a vertical line through the panel; y is not read
+    beyond,      // a hollow triangle that points out of the panel's top; y is not read
+};
 
-// Not drawn if x, or y of a dot, is not finite.
+// Not drawn if x, or a y that is read, is not finite.
 struct ChartMark {
     std::string label;  // as for ChartLine
     MarkShape shape = MarkShape::dot;
-    double x = 0.0, y = 0.0;  // y is not read for a rule
+    double x = 0.0, y = 0.0;
     std::size_t color = 1;
     std::string note;  // beside the mark
 };

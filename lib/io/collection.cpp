@@ -82,6 +82,7 @@ void write_particles(const std::filesystem::path& path, const Snapshot& snapshot
     data->SetPoints(points);
     data->SetVerts(one_cell(snapshot.particle_count()));
     for_each_column([&](const auto& column) {
+        if (left_out(snapshot, column)) return;
         data->GetPointData()->AddArray(borrow(column.name, column.components, snapshot.*column.values));
     });
     const std::vector<float> speed = magnitudes(snapshot.velocity);

@@ -1,8 +1,8 @@
 // The ParaView collection derived from snapshots: one .vtp per frame and a .pvd that gives their times.
 //
-// particles_NNNN.vtp is vtkPolyData with one poly-vertex cell over all points, the columns of the snapshot
-// and velocity_magnitude (m/s). Data is inline binary, compressed with zlib: Debian's ParaView 5.11 cannot
-// open appended data.
+// particles_NNNN.vtp is vtkPolyData with one poly-vertex cell over all points, the columns that the
+// snapshot has and velocity_magnitude (m/s). Data is inline binary, compressed with zlib: Debian's
+// ParaView 5.11 cannot open appended data.
 #pragma once
 
 #include <cstddef>

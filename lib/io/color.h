@@ -19,6 +19,7 @@ inline constexpr Color faint{200, 204, 210};
 inline constexpr Color air{246, 248, 250};
 inline constexpr Color rigid{226, 168, 92};
 inline constexpr Color ice{214, 232, 240};
+inline constexpr Color failed_ice{98, 94, 92};
 }  // namespace palette
 
 // Lines that stay apart for all common kinds of colour blindness (Okabe & Ito 2008). index is taken modulo
@@ -29,6 +30,10 @@ Color line_color(std::size_t index);
 // monotonically and equal steps look equal, as distances in OKLab (Ottosson 2020), so that it also reads in
 // grey and with colour blindness.
 Color scale_color(double share);
+
+// Colour of ice that has lost this share of its strength, clamped: from palette::ice to palette::failed_ice.
+// Where failed ice is as dark as water at scale_color, it is grey and the water is not.
+Color damage_color(double share);
 
 // The colour with its light multiplied by `factor` >= 0; above 1 towards white.
 Color shaded(Color color, double factor);

@@ -225,6 +225,11 @@ std::string Hdf5Reader::text(const std::string& object, const std::string& name)
     return value.substr(0, value.find('\0'));
 }
 
+bool Hdf5Reader::has_array(const std::string& name) const {
+    const QuietHdf5 quiet;
+    return H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
 Hdf5Handle Hdf5Reader::open_array(const std::string& name, int components, std::size_t& count) const {
     const QuietHdf5 quiet;
     Hdf5Handle found(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT));

@@ -105,6 +105,8 @@ public:
     std::int64_t integer(const std::string& object, const std::string& name) const;
     std::string text(const std::string& object, const std::string& name) const;
 
+    // The groups above it must be there.
+    bool has_array(const std::string& name) const;
     // The array's values, row by row; its shape must be as `components` says (see Hdf5Writer::array).
     template <class T>
     std::vector<T> array(const std::string& name, int components = 0) const;

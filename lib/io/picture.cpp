@@ -72,7 +72,7 @@ Color particle_color(const PictureParticles& particles, std::size_t p, double gr
         case Material::rigid:
             return palette::rigid;
         case Material::ice:
-            return palette::ice;
+            return particles.damage.empty() ? palette::ice : damage_color(particles.damage[p]);
         case Material::water:
             break;
     }
@@ -168,15 +168,29 @@ void draw_legend(Canvas& canvas, const PictureParticles& particles, const Layout
         canvas.text({x + 40 * u, y}, Align::left, 0.9 * layout.letters, text);
         x += 40 * u + 0.55 * layout.letters * static_cast<double>(text.size()) + 24 * u;
     };
-    const auto solid = [&](Material material, Color color, const std::string& text) {
-        const auto number = static_cast<std::uint8_t>(material);
-        if (std::ranges::find(particles.material, number) == particles.material.end()) return;
-        canvas.rectangle({x, y - 9 * u}, {x + 30 * u, y + 9 * u}, palette::ink);
-        canvas.rectangle({x + 1.5 * u, y - 7.5 * u}, {x + 28.5 * u, y + 7.5 * u}, color);
+    const auto present = [&](Material material) {
+        return std::ranges::find(particles.material, static_cast<std::uint8_t>(material)) !=
+               particles.material.end();
+    };
+    // color(share) from left to right
+    const auto box = [&](double width, const auto& color, const std::string& text) {
+        canvas.rectangle({x, y - 9 * u}, {x + width, y + 9 * u}, palette::ink);
+        const double left = x + 1.5 * u, length = width - 3 * u;
+        for (double at = 0.0; at < length; at += 1.0) {
+            // To the right end, so that no ink shows between parts of pixels.
+            canvas.rectangle({left + at, y - 7.5 * u}, {left + length, y + 7.5 * u}, color(at / length));
+        }
+        x += width - 30 * u;
         name(text);
     };
-    solid(Material::rigid, palette::rigid, "rigid block");
-    solid(Material::ice, palette::ice, "ice");
+    const bool ice = present(Material::ice), by_damage = ice && !particles.damage.empty();
+    if (present(Material::rigid))
+        box(
+            30 * u, [](double) { return palette::rigid; }, "rigid block");
+    if (ice && !by_damage)
+        box(
+            30 * u, [](double) { return palette::ice; }, "ice");
+    if (by_damage) box(120 * u, damage_color, "ice, from intact to failed");
     canvas.dashed_line({x, y}, {x + 30 * u, y}, 1.6 * u, 8 * u, 3 * u, palette::ink);
     name("still water level");
 }
@@ -251,6 +265,7 @@ void draw_gauges(Canvas& canvas, const PictureSettings& settings, const Layout& 
 Canvas draw_picture(const PictureParticles& particles, const PictureSettings& settings) {
     assert(settings.width >= 400 && settings.particle_spacing > 0.0 && settings.greatest_speed > 0.0);
     assert(particles.points.size() == 3 * particles.material.size());
+    assert(particles.damage.empty() || particles.damage.size() == particles.material.size());
     const Layout layout = make_layout(settings);
     Canvas canvas(layout.width, layout.height);
     if (settings.dimension == 2) canvas.rectangle(layout.low, layout.high, palette::air);

@@ -1,5 +1,5 @@
-// One frame as an annotated picture: particles coloured by speed, blocks, the still-water level, gauges, axes
-// in m.
+// One frame as an annotated picture: water coloured by speed, ice by damage, blocks, the still-water level,
+// gauges, axes in m.
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@ struct PictureParticles {
     std::span<const float> points;           // m, (x, y, z) per particle
     std::span<const float> velocity;         // m/s, (x, y, z) per particle
     std::span<const std::uint8_t> material;  // numbers of core's Material
+    std::span<const float> damage = {};      // empty: ice is drawn as intact
 };
 
 struct PictureSettings {
@@ -31,7 +32,8 @@ struct PictureSettings {
     int width = 1600;            // pixels, at least 400; the height follows from the tank
 };
 
-// Water is coloured by its speed, other materials each by their own colour with a dark outline. 2D: the x-z
+// Water is coloured by its speed, ice by its damage, rigid blocks by their own colour; both have a dark
+// outline. 2D: the x-z
 // plane. 3D: a parallel projection from the front, right and above, with shading. The same particles give the
 // same picture.
 Canvas draw_picture(const PictureParticles& particles, const PictureSettings& settings);

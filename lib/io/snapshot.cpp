@@ -25,6 +25,7 @@ std::string column_path(const char* name) { return std::string("/VTKHDF/PointDat
 
 void check_sizes(const Snapshot& snapshot) {
     for_each_column([&](const auto& column) {
+        if (left_out(snapshot, column)) return;
         const std::size_t expected = snapshot.particle_count() * static_cast<std::size_t>(column.components);
         if ((snapshot.*column.values).size() != expected) {
             throw std::invalid_argument(std::string("write_snapshot: column ") + column.name +
@@ -93,6 +94,7 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
     write_cell(file, snapshot.particle_count());
     file.group("/VTKHDF/PointData");
     for_each_column([&](const auto& column) {
+        if (left_out(snapshot, column)) return;
         const int components = column.components > 1 ? column.components : 0;
         file.array(column_path(column.name), std::span(snapshot.*column.values), components);
     });
@@ -102,9 +104,11 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
 
 namespace {
 
-void check_finite(const Hdf5Reader& file, const std::string& name, const std::vector<float>& values) {
-    const auto bad =
-        std::count_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
+void check_finite(const Hdf5Reader& file, const std::string& name, const std::vector<float>& values,
+                  bool has_gaps = false) {
+    const auto bad = std::count_if(values.begin(), values.end(), [&](float value) {
+        return !std::isfinite(value) && !(has_gaps && std::isnan(value));
+    });
     if (bad > 0) file.fail("array " + name + " has " + std::to_string(bad) + " values that are not numbers");
 }
 
@@ -118,13 +122,14 @@ Snapshot read_snapshot(const std::filesystem::path& path) {
     snapshot.points = file.array<float>("/VTKHDF/Points", 3);
     for_each_column([&](const auto& column) {
         const std::string name = column_path(column.name);
+        if (column.optional && !file.has_array(name)) return;
         auto& values = snapshot.*column.values;
         using Value = typename std::remove_reference_t<decltype(values)>::value_type;
         values = file.array<Value>(name, column.components > 1 ? column.components : 0);
         if (values.size() != snapshot.particle_count() * static_cast<std::size_t>(column.components)) {
             file.fail("array " + name + " does not have one entry per particle");
         }
-        if constexpr (std::is_floating_point_v<Value>) check_finite(file, name, values);
+        if constexpr (std::is_floating_point_v<Value>) check_finite(file, name, values, column.has_gaps);
     });
     check_finite(file, "/VTKHDF/Points", snapshot.points);
     return snapshot;

@@ -2,9 +2,9 @@
 //
 // Layout: VTKHDF UnstructuredGrid 1.0, so that ParaView, VTK, h5py and xarray open them. The group /VTKHDF
 // holds Points (N × 3) and one poly-vertex cell over them; /VTKHDF/PointData holds the columns of the table
-// below. The file's root has the attributes format, format_version, time (s), dimension and the provenance
-// (program, version, command, scene_hash, seed). Every array carries checksums; equal snapshots with equal
-// provenance are equal bytes.
+// below, optional ones only if the run has them. The file's root has the attributes format, format_version,
+// time (s), dimension and the provenance (program, version, command, scene_hash, seed). Every array carries
+// checksums; equal snapshots with equal provenance are equal bytes.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,10 @@ struct Snapshot {
     std::vector<std::uint8_t> material;  // the numbers of core's Material
     std::vector<std::uint32_t> id;       // the particle's number; the same in every frame
 
+    // Of runs with ice that fractures; else empty.
+    std::vector<float> damage;        // share of the strength lost, 1 - p0(α)/p0(α0); 0 for water and rigid
+    std::vector<float> failure_time;  // s, when the ice had lost all of it; NaN: not failed, or no ice
+
     std::size_t particle_count() const { return points.size() / 3; }
 };
 
@@ -37,16 +41,21 @@ struct SnapshotColumn {
     const char* name;
     int components;  // values per particle
     std::vector<T> Snapshot::*values;
+    bool optional = false;  // left out of the file while it is empty; readers do without it
+    bool has_gaps = false;  // NaN stands for no value
 };
 
 // What is stored per particle besides its point. A new column is one member above and one line here: writing,
-// reading, checking and the ParaView collection follow this table.
+// reading, checking and the ParaView collection follow this table. A new optional column needs no new format
+// version, for readers look for the columns that they know.
 inline constexpr std::tuple snapshot_columns{
     SnapshotColumn<float>{"velocity", 3, &Snapshot::velocity},
     SnapshotColumn<float>{"pressure", 1, &Snapshot::pressure},
     SnapshotColumn<float>{"volume", 1, &Snapshot::volume},
     SnapshotColumn<std::uint8_t>{"material", 1, &Snapshot::material},
     SnapshotColumn<std::uint32_t>{"id", 1, &Snapshot::id},
+    SnapshotColumn<float>{"damage", 1, &Snapshot::damage, true},
+    SnapshotColumn<float>{"failure_time", 1, &Snapshot::failure_time, true, true},
 };
 
 // Calls visit(column) for every column of the table, in its order.
@@ -55,16 +64,23 @@ void for_each_column(const Visit& visit) {
     std::apply([&](const auto&... column) { (visit(column), ...); }, snapshot_columns);
 }
 
+// Whether the snapshot does without this column.
+template <class T>
+bool left_out(const Snapshot& snapshot, const SnapshotColumn<T>& column) {
+    return column.optional && (snapshot.*column.values).empty();
+}
+
 // "frame_0007.hdf"; more digits from frame 10000 on.
 std::string snapshot_name(std::size_t frame);
 
-// Every column must hold components × particle_count() values; no particles is allowed.
+// Every column, unless it is left out, must hold components × particle_count() values; no particles is
+// allowed.
 // Throws std::invalid_argument if it does not, OutputError if the file cannot be written.
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
                     const Provenance& provenance);
 
 // Throws InputError if the file is missing, truncated, damaged, foreign, of a newer format version, or lacks
-// a column.
+// a column that is not optional.
 Snapshot read_snapshot(const std::filesystem::path& path);
 
 // The time alone, without reading the particles. Throws like read_snapshot.

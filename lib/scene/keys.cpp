@@ -410,6 +410,18 @@ constexpr std::array keys{
         .range = {.least = 0.0, .most = 1.0, .open = true},
         .stages = by_postprocess,
         .help = "a wave has arrived at this share of the gauge's greatest amplitude"},
+    Key{.name = "postprocess.iceberg_damage",
+        .member = member<&S::postprocess, &S::Postprocess::iceberg_damage>(),
+        .range = {.least = 0.0, .most = 1.0, .open = true},
+        .effect = "fracture",
+        .stages = by_postprocess,
+        .help = "ice that has lost this share of its strength connects no fragments"},
+    Key{.name = "postprocess.iceberg_share",
+        .member = member<&S::postprocess, &S::Postprocess::iceberg_share>(),
+        .range = {.least = 0.0, .most = 100.0, .open = true},
+        .effect = "fracture",
+        .stages = by_postprocess,
+        .help = "least volume of an iceberg over height² × width of the ice; what is smaller is a crumb"},
 };
 
 }  // namespace

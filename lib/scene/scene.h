@@ -111,6 +111,9 @@ struct Scene {
         double picture_speed = 0.0;         // m/s, the colour scale's upper end; 0: the run's own
         double arrival_threshold =
             0.05;  // a wave has arrived at this share of the gauge's greatest amplitude
+        double iceberg_damage =
+            0.5;  // effect "fracture": ice that lost this share of its strength has failed
+        double iceberg_share = 0.05;  // likewise: an iceberg's least volume, over the ice's height² × width
     } postprocess;
 
     bool has(std::string_view effect) const;

@@ -35,7 +35,7 @@ void require_same_scene(const std::filesystem::path& simulated, const scene::Sce
 void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
         R"((particles_\d+\.vtp|particles\.pvd|frame_t=\d+\.\d+\.png|(gauges|celerity|energy)\.svg|)"
-        R"((gauges|waves)\.csv)(\.part)?)");
+        R"((gauges|waves|icebergs|fragments)\.csv)(\.part)?)");
     std::error_code error;
     std::vector<std::filesystem::path> found{folder / "waves.csv"};
     std::filesystem::directory_iterator entry(folder, error);

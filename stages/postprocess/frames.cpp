@@ -86,8 +86,8 @@ void draw_pictures(const StageContext& context, const Frames& frames, const std:
     for (const std::size_t frame : chosen) {
         const io::Snapshot snapshot = read_frame(frames.files[frame], context.scene);
         settings.time = snapshot.time;
-        const io::Canvas canvas =
-            io::draw_picture({snapshot.points, snapshot.velocity, snapshot.material}, settings);
+        const io::Canvas canvas = io::draw_picture(
+            {snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage}, settings);
         const std::string name = "frame_t=" + io::format_fixed(snapshot.time, decimals) + ".png";
         canvas.write_png(context.folder / name, context.provenance);
         progress.update(0.99, name);

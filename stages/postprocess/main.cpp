@@ -1,5 +1,5 @@
-// tidewater-postprocess: from the results of simulate to pictures, charts, wave statistics and a ParaView
-// collection.
+// tidewater-postprocess: from the results of simulate to pictures, charts, wave statistics, icebergs and a
+// ParaView collection.
 #include <cstdio>
 
 #include "charts.h"
@@ -8,10 +8,19 @@
 #include "earlier.h"
 #include "frames.h"
 #include "gauges.h"
+#include "icebergs.h"
 #include "io/table.h"
 
 namespace tidewater::postprocess {
 namespace {
+
+void work_on_icebergs(const StageContext& context, const Frames& frames) {
+    const auto icebergs = find_icebergs(frames, context.scene);
+    if (!icebergs) return;
+    write_icebergs(context.folder / "icebergs.csv", *icebergs, context.scene.ice.model.density, context.provenance);
+    write_fragments(context.folder / "fragments.csv", *icebergs, context.provenance);
+    std::fputs(describe(*icebergs).c_str(), stdout);
+}
 
 // waves.csv comes last: where it exists, everything else does.
 void work(StageContext& context) {
@@ -28,6 +37,7 @@ void work(StageContext& context) {
     if (!from_snapshots.empty())
         write_gauges(context.folder / "gauges.csv", from_snapshots, context.provenance);
     records.insert(records.end(), from_snapshots.begin(), from_snapshots.end());
+    work_on_icebergs(context, frames);
     const Waves waves = analyse(std::move(records), context.scene);
     write_text(context.folder / "energy.svg", energy);
     write_text(context.folder / "gauges.svg", gauge_chart(waves, context));
@@ -42,6 +52,6 @@ void work(StageContext& context) {
 int main(int argc, char** argv) {
     return tidewater::run_stage(
         argc, argv, tidewater::scene::Stage::postprocess,
-        "Makes pictures, charts, wave statistics and a ParaView collection from a simulated run.",
+        "Makes pictures, charts, wave statistics, icebergs and a ParaView collection from a simulated run.",
         &tidewater::postprocess::work);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <regex>
 #include <set>
 
@@ -99,6 +100,22 @@ Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path
       gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
       ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {}
 
+// Appends what is known of a body's failure; NaN where it has not failed, as snapshots have it.
+template <int D, class Real>
+void append_failure(const mpm::IceModel& ice, const mpm::Particles<D, Real>& particles, io::Snapshot& snapshot) {
+    const double limit = ice.hardening * std::abs(ice.initial_alpha(D)), whole = std::sinh(limit);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        float damage = 0.0f, failed = std::numeric_limits<float>::quiet_NaN();
+        if (!particles.alpha.empty()) {
+            const double angle = ice.hardening * std::max(-static_cast<double>(particles.alpha[p]), 0.0);
+            damage = static_cast<float>(std::max(1.0 - std::sinh(std::min(angle, limit)) / whole, 0.0));
+            if (std::isfinite(particles.failure_time[p])) failed = static_cast<float>(particles.failure_time[p]);
+        }
+        snapshot.damage.push_back(damage);
+        snapshot.failure_time.push_back(failed);
+    }
+}
+
 template <int D, class Real>
 void Records<D, Real>::write_frame(const mpm::Simulation<D, Real>& s) {
     io::Snapshot snapshot;
@@ -112,6 +129,7 @@ void Records<D, Real>::write_frame(const mpm::Simulation<D, Real>& s) {
         snapshot.material.insert(snapshot.material.end(), particles.size(),
                                  static_cast<std::uint8_t>(particles.material));
         snapshot.volume.insert(snapshot.volume.end(), particles.size(), static_cast<float>(particles.volume));
+        if (s.parameters.ice.fracture) append_failure<D>(s.parameters.ice, particles, snapshot);
         const std::size_t first = snapshot.points.size();
         snapshot.points.resize(first + 3 * particles.size(), 0.0f);
         snapshot.velocity.resize(first + 3 * particles.size(), 0.0f);

@@ -69,6 +69,21 @@ TEST_CASE("each label is in the legend once, and the lower panel alone has the t
     CHECK(count(svg, ">2.5<") == 1);
 }
 
+TEST_CASE("marks have shapes, and what lies beyond a panel is told at its top") {
+    Chart chart{.title = "t", .x_label = "x", .panels = {ChartPanel{}}};
+    chart.panels[0].lines = {{.label = "l", .x = {0, 1}, .y = {0, 1}}};
+    chart.panels[0].marks = {
+        {.label = "a", .shape = MarkShape::point_down, .x = 0.5, .y = 3.0, .note = {}},
+        {.label = "b", .shape = MarkShape::point_up, .x = 0.5, .y = 0.5, .note = {}},
+        {.label = "c", .shape = MarkShape::beyond, .x = 0.5, .y = std::nan(""), .note = {}}};
+    const std::string svg = draw_chart(chart, test_provenance());
+    CHECK(well_formed(svg));
+    CHECK(count(svg, "<polygon") == 6);
+    CHECK(count(svg, "fill=\"white\" stroke-width") == 2);
+    CHECK(count(svg, ">3<") == 1);
+    CHECK(svg.find("nan") == std::string::npos);
+}
+
 TEST_CASE("one range of y makes panels comparable") {
     Chart chart = two_panels();
     chart.panels[1].lines[0].y = {0, 10, 0, 0, 0};

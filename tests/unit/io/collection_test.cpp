@@ -12,6 +12,8 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUtilities.h>
 
+#include <cmath>
+
 #include "core/files.h"
 #include "io/canvas.h"
 #include "unit/io/fixture.h"
@@ -41,6 +43,7 @@ TEST_CASE("VTK reads back the points, the cell, every column and the speed") {
     CHECK(data->GetBounds()[5] == doctest::Approx(2.0 + 0.25 * 49.0));
     for_each_column([&](const auto& column) {
         CAPTURE(column.name);
+        if (column.optional) return;
         vtkDataArray* array = data->GetPointData()->GetArray(column.name);
         REQUIRE(array != nullptr);
         const auto& values = snapshot.*column.values;
@@ -57,6 +60,17 @@ TEST_CASE("VTK reads back the points, the cell, every column and the speed") {
     CHECK(field("scene_hash") == "00ff");
     CHECK(field("format") == "tidewater-particles");
     CHECK(field("format_version") == "1");
+}
+
+TEST_CASE("optional columns are there if the snapshot has them, gaps included") {
+    const TemporaryFolder folder;
+    write_particles(folder / "ice.vtp", test_snapshot_of_ice(50), test_provenance());
+    write_particles(folder / "water.vtp", test_snapshot(50), test_provenance());
+    CHECK(read(folder / "water.vtp")->GetPointData()->GetArray("damage") == nullptr);
+    const auto data = read(folder / "ice.vtp");
+    CHECK(data->GetPointData()->GetArray("damage")->GetComponent(1, 0) == 0.25);
+    CHECK(data->GetPointData()->GetArray("failure_time")->GetComponent(48, 0) == 0.5);
+    CHECK(std::isnan(data->GetPointData()->GetArray("failure_time")->GetComponent(49, 0)));
 }
 
 TEST_CASE("data is inline, for appended data does not open in ParaView 5.11") {

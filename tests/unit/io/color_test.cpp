@@ -44,12 +44,21 @@ TEST_CASE("the scale is clamped, and what is no number is its lower end") {
 }
 
 TEST_CASE("solids stand out from the scale, the air and each other") {
-    for (const Color solid : {palette::rigid, palette::ice}) {
+    for (const Color solid : {palette::rigid, palette::ice, palette::failed_ice}) {
         CHECK(difference(solid, palette::air) > 0.05);
         for (double share = 0.0; share <= 1.0; share += 0.01)
             CHECK(difference(solid, scale_color(share)) > 0.05);
     }
     CHECK(difference(palette::rigid, palette::ice) > 0.1);
+    CHECK(difference(palette::failed_ice, palette::ice) > 0.1);
+}
+
+TEST_CASE("ice gets darker with damage, which is clamped") {
+    for (double share = 0.0; share < 1.0; share += 0.125)
+        CHECK(to_oklab(damage_color(share + 0.125))[0] < to_oklab(damage_color(share))[0]);
+    CHECK(damage_color(-1.0) == palette::ice);
+    CHECK(damage_color(std::nan("")) == palette::ice);
+    CHECK(damage_color(2.0) == palette::failed_ice);
 }
 
 TEST_CASE("shading darkens to black and lightens to white") {

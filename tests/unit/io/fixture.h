@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <limits>
 #include <string>
 
 #include "core/error.h"
@@ -38,6 +39,17 @@ inline Snapshot test_snapshot(std::size_t count) {
         snapshot.material.push_back(
             static_cast<std::uint8_t>(i % 3 == 2 ? Material::rigid : Material::water));
         snapshot.id.push_back(static_cast<std::uint32_t>(7 * i));
+    }
+    return snapshot;
+}
+
+// The same with what a run with ice has: every fourth particle has failed.
+inline Snapshot test_snapshot_of_ice(std::size_t count) {
+    Snapshot snapshot = test_snapshot(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool failed = i % 4 == 0;
+        snapshot.damage.push_back(failed ? 1.0f : 0.25f);
+        snapshot.failure_time.push_back(failed ? 0.5f : std::numeric_limits<float>::quiet_NaN());
     }
     return snapshot;
 }

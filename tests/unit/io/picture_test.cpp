@@ -83,6 +83,21 @@ TEST_CASE("the same particles give the same picture, an empty tank gives one too
     CHECK(share_of(empty, palette::air) > share_of(draw(half_moving_water(), tank), palette::air));
 }
 
+TEST_CASE("ice is drawn as intact without damage, and by its damage with it") {
+    Snapshot snapshot = half_moving_water();
+    for (std::size_t p = 0; p < snapshot.material.size(); ++p) {
+        auto& material = snapshot.material[p];
+        if (material == static_cast<std::uint8_t>(Material::rigid))
+            material = static_cast<std::uint8_t>(Material::ice);
+        snapshot.damage.push_back(snapshot.points[3 * p] > 1.25f ? 1.0f : 0.0f);
+    }
+    const double whole = share_of(draw(snapshot, tank), palette::ice);
+    const Canvas canvas =
+        draw_picture({snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage}, tank);
+    CHECK(share_of(canvas, palette::ice) == doctest::Approx(0.5 * whole).epsilon(0.1));
+    CHECK(share_of(canvas, palette::failed_ice) == doctest::Approx(0.5 * whole).epsilon(0.1));
+}
+
 TEST_CASE("in three dimensions particles are seen through no others, and shaded") {
     PictureSettings settings = tank;
     settings.dimension = 3;

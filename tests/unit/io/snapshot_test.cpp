@@ -10,7 +10,9 @@
 #include <vtkUnstructuredGrid.h>
 #include <limits>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 
 #include "core/files.h"
@@ -28,7 +30,8 @@ void check_equal(const Snapshot& a, const Snapshot& b) {
     CHECK(a.points == b.points);
     for_each_column([&](const auto& column) {
         CAPTURE(column.name);
-        CHECK(a.*column.values == b.*column.values);
+        CHECK(std::ranges::equal(a.*column.values, b.*column.values,
+                                 [](auto x, auto y) { return x == y || (x != x && y != y); }));
     });
 }
 
@@ -75,6 +78,7 @@ TEST_CASE("VTK's own reader sees the points, the bounds and every array") {
     for (int i = 0; i < 6; ++i) CHECK(grid->GetBounds()[i] == expected[static_cast<std::size_t>(i)]);
     for_each_column([&](const auto& column) {
         CAPTURE(column.name);
+        if (column.optional) return;
         vtkDataArray* array = grid->GetPointData()->GetArray(column.name);
         REQUIRE(array != nullptr);
         CHECK(array->GetNumberOfTuples() == 101);
@@ -82,6 +86,42 @@ TEST_CASE("VTK's own reader sees the points, the bounds and every array") {
     });
     CHECK(grid->GetPointData()->GetArray("velocity")->GetComponent(10, 2) == -40.0);
     CHECK(grid->GetPointData()->GetArray("id")->GetComponent(100, 0) == 700.0);
+}
+
+TEST_CASE("optional columns are in the file if the snapshot has them, gaps included") {
+    const TemporaryFolder folder;
+    for (const std::size_t count : {1u, 1000u}) {
+        const Snapshot ice = test_snapshot_of_ice(count);
+        write_snapshot(folder / "ice", ice, test_provenance());
+        check_equal(read_snapshot(folder / "ice"), ice);
+    }
+    write_snapshot(folder / "water", test_snapshot(1000), test_provenance());
+    CHECK(read_snapshot(folder / "water").damage.empty());
+    CHECK(!Hdf5Reader(folder / "water", "").has_array("/VTKHDF/PointData/failure_time"));
+    CHECK(Hdf5Reader(folder / "ice", "").has_array("/VTKHDF/PointData/failure_time"));
+
+    vtkNew<vtkHDFReader> reader;
+    reader->SetFileName((folder / "ice").c_str());
+    reader->Update();
+    vtkDataArray* time =
+        vtkUnstructuredGrid::SafeDownCast(reader->GetOutput())->GetPointData()->GetArray("failure_time");
+    REQUIRE(time != nullptr);
+    CHECK(time->GetComponent(4, 0) == 0.5);
+    CHECK(std::isnan(time->GetComponent(5, 0)));
+}
+
+TEST_CASE("optional columns of the wrong length or with what is no number are refused") {
+    const TemporaryFolder folder;
+    Snapshot snapshot = test_snapshot_of_ice(8);
+    snapshot.damage.pop_back();
+    CHECK_THROWS_AS(write_snapshot(folder / "a", snapshot, test_provenance()), std::invalid_argument);
+    snapshot.damage.push_back(std::numeric_limits<float>::quiet_NaN());
+    write_snapshot(folder / "a", snapshot, test_provenance());
+    CHECK(input_error([&] { read_snapshot(folder / "a"); }).find("damage has 1 values") != std::string::npos);
+    snapshot.damage.back() = 0.0f;
+    snapshot.failure_time.back() = std::numeric_limits<float>::infinity();
+    write_snapshot(folder / "a", snapshot, test_provenance());
+    CHECK(input_error([&] { read_snapshot(folder / "a"); }).find("failure_time has 1") != std::string::npos);
 }
 
 TEST_CASE("equal snapshots are equal bytes, and another time is not") {

@@ -139,7 +139,7 @@ TEST_CASE("a cell size that would need more particles than can be numbered is to
 TEST_CASE("a check is left out where a key that it needs is wrong") {
     CHECK(problems(block_scene, {"domain.cell_size=x", "block.center=[20, 0.5]"}) ==
           Lines{"--set domain.cell_size=x: needs a number in m, e.g. cell_size = 0.01; got text \"x\""});
-    CHECK(problems(block_scene, {"effects=[\"ice\"]", "water.depth=9"}).size() == 1);
+    CHECK(problems(block_scene, {"effects=[\"lava\"]", "water.depth=9"}).size() == 1);
     CHECK(problems(block_scene, {"dimension=5", "domain.size=[1]"}).size() == 1);
 }
 

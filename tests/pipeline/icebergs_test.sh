@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# icebergs_test.sh BIN WRITE_CALVING: what postprocess tells of ice that broke, from a run whose crack is known.
+source "$(dirname "$0")/assert.sh"
+bin=$1
+write_calving=$2
+cp "$(dirname "$0")"/{calving,tiny}.toml "$work"
+cd "$work" || exit 1
+
+# postprocess RUN CRACK_END [OPTION...] writes the run and looks at it.
+postprocess() {
+    "$write_calving" calving.toml "$1" "$2" || fail_case "no run was written"
+    run "$bin/tidewater-postprocess" calving.toml --run "$1" --threads 2 "${@:3}"
+}
+
+# value FILE COLUMN prints the first row's.
+value() {
+    grep --invert-match '^#' "$1" | awk -F, -v name="$2" \
+        'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) column = i } NR == 2 { print $column }'
+}
+
+# expect_near WHAT VALUE EXPECTED TOLERANCE
+expect_near() {
+    awk -v a="$2" -v b="$3" -v t="$4" 'BEGIN { exit !(a != "nan" && a - b <= t && b - a <= t) }' ||
+        fail_case "$1 is $2, not $3"
+}
+
+case_named "the first iceberg has the crack's time, length and start"
+postprocess broken 0
+expect_code 0
+first=broken/postprocess/icebergs.csv
+expect_near time "$(value $first time)" 1.495 1e-6
+expect_near length "$(value $first length)" 61 2
+expect_near length_ratio "$(value $first length_ratio)" 0.7625 0.03
+expect_near height "$(value $first height)" 80 1e-6
+expect_near end_time "$(value $first end_time)" 2 1e-6
+expect_near mass "$(value $first mass)" "$(awk -v v="$(value $first volume)" 'BEGIN { print 900 * v }')" 1
+awk -v h="$(value $first start_height)" 'BEGIN { exit !(h > 0.67) }' || fail_case "the crack began at the top"
+expect_line "first iceberg: came off at 1.50 s, "
+expect_line "its crack: began at the top at "
+expect_file broken/postprocess/frame_t=2.00.png
+
+case_named "fragments are listed from the largest on, without crumbs"
+expect_same "$(grep --invert-match --count '^#' broken/postprocess/fragments.csv)" 3
+expect_near "the rest's volume" "$(value broken/postprocess/fragments.csv volume)" 13500 500
+expect_line "fragments of intact ice at 2.00 s: 2 of at least 320 m² per m of width"
+
+case_named "a crack that is not through detaches nothing"
+postprocess cracked 10
+expect_code 0
+expect_same "$(value cracked/postprocess/icebergs.csv time)" nan
+expect_same "$(grep --invert-match --count '^#' cracked/postprocess/fragments.csv)" 2
+expect_line "no iceberg came off: "
+
+case_named "what is an iceberg is the scene's choice"
+postprocess broken 0 --set postprocess.iceberg_share=1
+expect_code 0
+expect_same "$(value $first time)" nan
+
+case_named "which damage divides fragments is the scene's choice, and changes no detachment"
+for damage in 0.01 1; do
+    postprocess "damage_$damage" 0 --set "postprocess.iceberg_damage=$damage"
+    expect_code 0
+    expect_near time "$(value "damage_$damage/postprocess/icebergs.csv" time)" 1.495 1e-6
+done
+awk -v a="$(value damage_0.01/postprocess/fragments.csv volume)" -v b="$(value damage_1/postprocess/fragments.csv volume)" \
+    'BEGIN { exit !(b > a + 500) }' || fail_case "a greater damage leaves no greater fragments"
+
+case_named "ice without failure times leaves none of the files, not even earlier ones"
+postprocess broken 0
+"$bin/tidewater-geometry" tiny.toml --run tiny >/dev/null 2>&1
+"$bin/tidewater-simulate" tiny.toml --run tiny >/dev/null 2>&1
+mkdir tiny/postprocess
+cp broken/postprocess/{icebergs,fragments}.csv tiny/postprocess
+run "$bin/tidewater-postprocess" tiny.toml --run tiny
+expect_code 0
+expect_no_file tiny/postprocess/icebergs.csv
+expect_no_file tiny/postprocess/fragments.csv
+
+case_named "tidewater-overhang puts runs beside beam theory"
+cp -r broken deeper
+sed -i 's/^depth = .*/depth = 92/' deeper/postprocess/scene.toml
+run "$bin/tidewater-overhang" deeper broken cracked --out compared
+expect_code 0
+expect_file compared/overhang.svg
+expect_same "$(grep --invert-match '^#' compared/overhang.csv | cut --delimiter=, --fields=1-3)" "run,height,depth_ratio
+broken,80,0.2
+cracked,80,0.2
+deeper,80,0.4"
+expect_near "Li/H" "$(value compared/overhang.csv length_ratio)" 0.7625 0.03
+expect_near "eq. 1" "$(value compared/overhang.csv eq1)" 0.7792 0.001
+expect_same "$(find compared | wc -l)" 3
+
+case_named "tidewater-overhang tells what is missing"
+run "$bin/tidewater-overhang" broken nothing
+expect_code 3
+expect_same "$output" "tidewater-overhang: nothing/postprocess/icebergs.csv: the file does not exist; run tidewater-postprocess \
+on a run whose ice fractures"
+expect_no_file overhang.csv
+run "$bin/tidewater-overhang"
+expect_code 2
+expect_line "tidewater-overhang: RUN is required"
+run "$bin/tidewater-overhang" broken --out /proc/none
+expect_code 5

@@ -1,0 +1,105 @@
+#include "cases.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "core/error.h"
+#include "io/table.h"
+#include "io/text.h"
+#include "mpm/ice.h"
+#include "scene/scene.h"
+
+namespace tidewater::overhang {
+namespace {
+
+struct Slab {
+    double height, base;  // m; base: z of its lower side
+    mpm::IceModel model;
+};
+
+Slab slab_of(const scene::Scene& scene) {
+    return {.height = scene.ice.size.back(), .base = scene.ice.corner.back(), .model = ice_model(scene)};
+}
+
+std::string run_name(const std::filesystem::path& run) {
+    const auto whole = std::filesystem::weakly_canonical(run);
+    return whole.filename().string();
+}
+
+void require_file(const std::filesystem::path& path) {
+    if (std::filesystem::exists(path)) return;
+    throw InputError(path.string() +
+                     ": the file does not exist; run tidewater-postprocess on a run whose ice fractures");
+}
+
+auto order(const Case& c) {
+    return std::tuple(c.overhang.height, c.strength, c.uniaxial_strength, c.overhang.ice_density,
+                      c.overhang.water_density, c.overhang.gravity);
+}
+
+double error_percent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
+
+}  // namespace
+
+bool Case::came_off() const { return std::isfinite(length_ratio); }
+
+bool Case::alike(const Case& other) const { return order(*this) == order(other); }
+
+Case read_case(const std::filesystem::path& run) {
+    const auto scene_path = run / "postprocess" / "scene.toml";
+    const auto path = run / "postprocess" / "icebergs.csv";
+    require_file(path);
+    require_file(scene_path);
+    const scene::Scene scene = scene::read_scene(scene_path);
+    const Slab slab = slab_of(scene);
+    const double depth = scene.has("water") ? scene.water.depth - slab.base : 0.0;
+    Case result{.name = run_name(run),
+                .overhang = {.height = slab.height,
+                             .depth = std::max(depth, 0.0),
+                             .ice_density = slab.model.density,
+                             .water_density = scene.water.model.density,
+                             .gravity = scene.domain.gravity},
+                .strength = slab.model.beta_p0,
+                .uniaxial_strength = slab.model.uniaxial_strength(scene.dimension)};
+    const io::Table table = io::read_table(path);
+    const auto value = [&](const char* column) {
+        const auto& values = io::require_column(table, column, path);
+        if (values.size() == 1) return values.front();
+        throw InputError(path.string() + ": it must have one row; run tidewater-postprocess again");
+    };
+    result.time = value("time");
+    result.length_ratio = value("length_ratio");
+    result.start_height = value("start_height");
+    result.end_time = value("end_time");
+    return result;
+}
+
+void sort_cases(std::vector<Case>& cases) {
+    std::ranges::sort(cases, {}, [](const Case& c) {
+        return std::tuple_cat(order(c), std::tuple(c.depth_ratio(), c.name));
+    });
+}
+
+void write_cases(const std::filesystem::path& path, const std::vector<Case>& cases,
+                 const Provenance& provenance) {
+    io::TableWriter table(path, provenance,
+                          {"run", "height", "depth_ratio", "strength", "uniaxial_strength", "time",
+                           "length_ratio", "start_height", "end_time", "eq1", "error_eq1", "beam",
+                           "error_beam", "uniaxial_beam", "error_uniaxial_beam"});
+    for (const Case& c : cases) {
+        std::vector<std::string> cells{c.name};
+        for (const double number :
+             {c.overhang.height, c.depth_ratio(), c.strength, c.uniaxial_strength, c.time, c.length_ratio,
+              c.start_height, c.end_time, c.eq1(), error_percent(c.length_ratio, c.eq1()), c.beam(),
+              error_percent(c.length_ratio, c.beam()), c.uniaxial_beam(),
+              error_percent(c.length_ratio, c.uniaxial_beam())}) {
+            cells.push_back(io::format_number(number));
+        }
+        table.append_cells(cells);
+    }
+    table.finish();
+}
+
+}  // namespace tidewater::overhang
