@@ -34,7 +34,7 @@ std::size_t diagonal(int axis) {
 
 template <int D>
 double pressure(const std::array<double, D>& stress) {
-    return -std::accumulate(stress.begin(), stress.end(), 0.0) / D;
+    return 0.0 - std::accumulate(stress.begin(), stress.end(), 0.0) / D;  // never −0
 }
 
 template <int D>
