@@ -11,7 +11,10 @@
 namespace tidewater::io {
 namespace {
 
-constexpr double margin_left = 78, margin_right = 24, margin_top = 72, margin_bottom = 52, gap = 14;
+constexpr double margin_left = 78, margin_right = 24, margin_top = 72, margin_bottom = 52, gap = 14,
+                 own_axis_share = 0.04;  // of an axis' length, left free at both of its ends
+
+constexpr Color faint_line{150, 155, 162};
 
 std::string number(double value) { return format_fixed(value, 2); }
 
@@ -63,18 +66,18 @@ std::string svg_triangle(double x, double y, double up, const std::string& style
            number(y + 5 * up) + " " + number(x) + "," + number(y - 6 * up) + "\" " + style + "/>\n";
 }
 
-std::string stroke(std::size_t color, double width, const char* dashes = nullptr) {
-    std::string style =
-        "fill=\"none\" stroke=\"" + hex(line_color(color)) + "\" stroke-width=\"" + number(width) + "\"";
+std::string stroke(Color color, double width, const char* dashes = nullptr) {
+    std::string style = "fill=\"none\" stroke=\"" + hex(color) + "\" stroke-width=\"" + number(width) + "\"";
     if (dashes) style += std::string(" stroke-dasharray=\"") + dashes + "\"";
     return style;
 }
 
 std::string line_style(const ChartLine& line) {
-    return stroke(line.color, 1.6, line.dashed ? "7 4" : nullptr);
+    const char* dashes = line.dashed ? "7 4" : nullptr;
+    return line.faint ? stroke(faint_line, 1.0, dashes) : stroke(line_color(line.color), 1.6, dashes);
 }
 
-std::string rule_style(const ChartMark& mark) { return stroke(mark.color, 1.2, "3 3"); }
+std::string rule_style(const ChartMark& mark) { return stroke(line_color(mark.color), 1.2, "3 3"); }
 
 bool reads_y(MarkShape shape) { return shape != MarkShape::rule && shape != MarkShape::beyond; }
 
@@ -89,12 +92,19 @@ std::string mark_symbol(const ChartMark& mark, double x, double y) {
     return svg_dot(x, y, mark.color);
 }
 
+bool has_own_axis(const ChartPanel& panel) { return !panel.x_label.empty(); }
+
+void include_x(const ChartPanel& panel, Range& range) {
+    for (const ChartLine& line : panel.lines) {
+        for (const double x : line.x) range.include(x);
+    }
+}
+
+// Of the panels that share it.
 Range x_range(const Chart& chart) {
     Range range;
     for (const ChartPanel& panel : chart.panels) {
-        for (const ChartLine& line : panel.lines) {
-            for (const double x : line.x) range.include(x);
-        }
+        if (!has_own_axis(panel)) include_x(panel, range);
     }
     return range.padded(0.0);
 }
@@ -108,14 +118,15 @@ void include_y(const ChartPanel& panel, Range& range) {
     }
 }
 
-std::string draw_axes(const Frame& frame, const ChartPanel& panel, bool last) {
+// x_label: empty where the axis is labelled below another panel.
+std::string draw_axes(const Frame& frame, const ChartPanel& panel, const std::string& x_label) {
     const std::string grid = "stroke=\"" + hex(palette::faint) + "\" stroke-width=\"0.7\"";
     std::string svg;
     const Ticks along = make_ticks(frame.x.low, frame.x.high, 12);
     for (std::size_t i = 0; i < along.values.size(); ++i) {
         const double x = frame.at_x(along.values[i]);
         svg += svg_line(x, frame.top, x, frame.bottom, grid);
-        if (last) svg += svg_text(x, frame.bottom + 17, "middle", along.labels[i]);
+        if (!x_label.empty()) svg += svg_text(x, frame.bottom + 17, "middle", along.labels[i]);
     }
     const int count = std::max(2, static_cast<int>((frame.bottom - frame.top) / 30));
     const Ticks upward = make_ticks(frame.y.low, frame.y.high, count);
@@ -127,6 +138,7 @@ std::string draw_axes(const Frame& frame, const ChartPanel& panel, bool last) {
     svg += "<rect x=\"" + number(frame.left) + "\" y=\"" + number(frame.top) + "\" width=\"" +
            number(frame.right - frame.left) + "\" height=\"" + number(frame.bottom - frame.top) +
            "\" fill=\"none\" stroke=\"" + hex(palette::ink) + "\"/>\n";
+    svg += svg_text(0.5 * (frame.left + frame.right), frame.bottom + 40, "middle", x_label);
     const std::string place = number(frame.left - 58) + " " + number(0.5 * (frame.top + frame.bottom));
     svg += svg_text(0, 0, "middle", panel.y_label, "transform=\"translate(" + place + ") rotate(-90)\"");
     return svg;
@@ -191,8 +203,8 @@ std::string metadata(const Provenance& provenance) {
     return svg + "</metadata>\n";
 }
 
-std::string draw_panel(const Frame& frame, const ChartPanel& panel, bool last) {
-    std::string svg = draw_axes(frame, panel, last);
+std::string draw_panel(const Frame& frame, const ChartPanel& panel, const std::string& x_label) {
+    std::string svg = draw_axes(frame, panel, x_label);
     for (const ChartLine& line : panel.lines) svg += draw_line(frame, line);
     for (const ChartMark& mark : panel.marks) svg += draw_mark(frame, mark);
     if (!panel.title.empty()) {
@@ -202,14 +214,45 @@ std::string draw_panel(const Frame& frame, const ChartPanel& panel, bool last) {
     return svg;
 }
 
+// What stands below each panel: its own label, the chart's below the last that shares it, or nothing.
+std::vector<std::string> x_labels(const Chart& chart) {
+    std::vector<std::string> labels(chart.panels.size());
+    bool shared = true;
+    for (std::size_t i = chart.panels.size(); i-- > 0;) {
+        const ChartPanel& panel = chart.panels[i];
+        labels[i] = has_own_axis(panel) ? panel.x_label : (shared ? chart.x_label : "");
+        shared = shared && has_own_axis(panel);
+    }
+    return labels;
+}
+
+// Frames below each other; x and y from the lines and marks.
+std::vector<Frame> make_frames(const Chart& chart, const std::vector<std::string>& labels) {
+    const Range shared = x_range(chart);
+    Range all;
+    for (const ChartPanel& panel : chart.panels) include_y(panel, all);
+    std::vector<Frame> frames;
+    double top = margin_top;
+    for (std::size_t i = 0; i < chart.panels.size(); ++i) {
+        const ChartPanel& panel = chart.panels[i];
+        Range x, y;
+        include_x(panel, x);
+        include_y(panel, y);
+        const double height = panel.height > 0.0 ? panel.height : chart.panel_height;
+        frames.push_back({margin_left, chart.width - margin_right, top, top + height,
+                          has_own_axis(panel) ? x.padded(own_axis_share) : shared,
+                          (chart.one_y_range ? all : y).padded(0.12)});
+        top += height + gap + (labels[i].empty() ? 0.0 : margin_bottom);
+    }
+    return frames;
+}
+
 }  // namespace
 
 std::string draw_chart(const Chart& chart, const Provenance& provenance) {
-    const auto count = static_cast<double>(chart.panels.size());
-    const double height = margin_top + count * chart.panel_height + (count - 1.0) * gap + margin_bottom;
-    const Range x = x_range(chart);
-    Range all;
-    for (const ChartPanel& panel : chart.panels) include_y(panel, all);
+    const std::vector<std::string> labels = x_labels(chart);
+    const std::vector<Frame> frames = make_frames(chart, labels);
+    const double height = (frames.empty() ? margin_top : frames.back().bottom) + margin_bottom;
 
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(chart.width) +
                       "\" height=\"" + number(height) + "\" viewBox=\"0 0 " + number(chart.width) + " " +
@@ -219,16 +262,7 @@ std::string draw_chart(const Chart& chart, const Provenance& provenance) {
     svg += metadata(provenance);
     svg += svg_text(margin_left, 28, "start", chart.title, "font-size=\"16\"");
     svg += draw_legend(chart, 52);
-    double top = margin_top;
-    for (std::size_t i = 0; i < chart.panels.size(); ++i) {
-        Range own;
-        include_y(chart.panels[i], own);
-        const Range y = (chart.one_y_range ? all : own).padded(0.12);
-        const Frame frame{margin_left, chart.width - margin_right, top, top + chart.panel_height, x, y};
-        svg += draw_panel(frame, chart.panels[i], i + 1 == chart.panels.size());
-        top = frame.bottom + gap;
-    }
-    svg += svg_text(0.5 * (margin_left + chart.width - margin_right), height - 12, "middle", chart.x_label);
+    for (std::size_t i = 0; i < frames.size(); ++i) svg += draw_panel(frames[i], chart.panels[i], labels[i]);
     return svg + "</svg>\n";
 }
 

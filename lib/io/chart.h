@@ -1,4 +1,5 @@
-// Line charts as SVG: panels below each other over one horizontal axis, with ticks, grid, units and a legend.
+// Line charts as SVG: panels below each other over one horizontal axis, or one of their own, with ticks,
+// grid, units and a legend.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,8 @@ struct ChartLine {
     std::vector<double> x, y;  // of one length; a y that is not finite leaves a gap
     std::size_t color = 0;     // index of line_color
     bool dashed = false;
-    bool dots = false;  // at the points
+    bool dots = false;   // at the points
+    bool faint = false;  // thin and grey, for what the others are compared with; color is not read
 };
 
 enum class MarkShape {
@@ -39,11 +41,13 @@ struct ChartPanel {
     std::string y_label;  // with its unit: "η (m)"
     std::vector<ChartLine> lines;
     std::vector<ChartMark> marks;
+    std::string x_label = {};  // this panel has a horizontal axis of its own; empty: it shares the chart's
+    double height = 0.0;       // pixels; 0: the chart's panel_height
 };
 
 struct Chart {
     std::string title;
-    std::string x_label;  // with its unit: "time (s)"
+    std::string x_label;  // with its unit: "time (s)"; of the panels without their own
     std::vector<ChartPanel> panels;
     double width = 960.0;         // pixels
     double panel_height = 120.0;  // pixels

@@ -61,6 +61,11 @@ struct IceModel {
 // The band's strength falls as −α to zero while α, the deviatoric plastic strain, runs from α0 to 0:
 //
 //     energy = width · ½ σt |α0| / √((6−d)/2),   |α0| = asinh(p0/κ)/ξ,   σt = uniaxial_strength
+//
+// Measured at one point (tests/unit/mpm/single_point_test.cpp; β from 0.1 to 1, widths 1 to 8 m, 2D and 3D):
+// right to 0.1 % in the limit of short steps, to 0.3 % with 500 steps to the strength. A band wider than
+// 2 E energy/σt², E of uniaxial stress, snaps: it frees the ½ σt²/E that it stores per volume, more than
+// asked.
 double crack_band_hardening(const IceModel& model, int dimension, double energy, double width);
 
 // What the kernels need of a model. Pressures are in units of κ, so that no square overflows a float.

@@ -16,7 +16,7 @@
 // the paper.
 //
 // Sources: Wolper et al. (2021), eqs. 5 and 6; shared/physics.md §2.
-// Test: tests/unit/mpm/ice_yield_test.cpp.
+// Tests: tests/unit/mpm/ice_yield_test.cpp and single_point_test.cpp.
 #pragma once
 
 #include "mpm/ice.h"

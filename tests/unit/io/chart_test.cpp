@@ -92,6 +92,28 @@ TEST_CASE("one range of y makes panels comparable") {
     CHECK(count(draw_chart(chart, test_provenance()), ">10<") == 2);
 }
 
+TEST_CASE("a panel with a label of its own has its own axis and leaves the others theirs") {
+    Chart chart = two_panels();
+    const std::string before = draw_chart(chart, test_provenance());
+    ChartPanel own{
+        .title = {}, .y_label = "q (kPa)", .lines = {}, .marks = {}, .x_label = "p (kPa)", .height = 300.0};
+    own.lines = {{.label = {}, .x = {-500, 700}, .y = {0, 900}, .faint = true}};
+    chart.panels.insert(chart.panels.begin(), own);
+    const std::string svg = draw_chart(chart, test_provenance());
+    CHECK(well_formed(svg));
+    CHECK(count(svg, ">p (kPa)<") == 1);
+    CHECK(count(svg, ">time (s)<") == 1);
+    CHECK(count(svg, ">-400<") == 1);
+    CHECK(count(svg, ">2.5<") == 1);  // times still below the last
+    CHECK(count(svg, "height=\"300.00\"") == 1);
+    const auto height = [](const std::string& text) {
+        return std::stod(text.substr(text.find("height=\"") + 8));
+    };
+    CHECK(height(svg) == doctest::Approx(height(before) + 300 + 14 + 52));
+    chart.panels.push_back(own);
+    CHECK(count(draw_chart(chart, test_provenance()), ">time (s)<") == 1);
+}
+
 TEST_CASE("charts without panels, lines, points or extent are well-formed too") {
     Chart chart{.title = "empty", .x_label = "x", .panels = {}};
     CHECK(well_formed(draw_chart(chart, test_provenance())));
