@@ -1,6 +1,8 @@
 // A disc or ball of elastic ice that spins, and flies if it is told to, in empty space.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
@@ -90,6 +92,20 @@ SpinResult run_spin(const Spin& spin) {
     result.turns =
         spin.rim_speed * s.parameters.ice.wave_speed(D) / spin.radius * s.time / (2 * std::acos(-1.0));
     return result;
+}
+
+// What must hold for every body that spins; tolerance: of momenta and of an energy that grows.
+inline void check_spin(const SpinResult& result, double tolerance) {
+    MESSAGE("momentum " << result.linear << ", angular momentum " << result.angular << ", highest energy "
+                        << result.highest << ", energy lost " << result.lost << ", growth " << result.growth
+                        << " in " << result.turns << " turns");
+    CHECK(result.finite);
+    CHECK(result.linear < tolerance);
+    CHECK(result.angular < tolerance);
+    CHECK(result.highest < tolerance);
+    CHECK(result.lost < 0.01);
+    CHECK(result.oblate < 0.005);
+    CHECK(result.growth < 0.01);
 }
 
 }  // namespace tidewater::test
