@@ -49,20 +49,38 @@ void sort_if_needed(Simulation<D, Real>& s) {
     s.drift += cells;
 }
 
+// Whether ice_stress finds the particle unusable.
+template <int D, class Real>
+bool beyond_elastic_ice(const Particles<D, Real>& particles, std::size_t p) {
+    constexpr int count = symmetric_size<D>;
+    Column<Real> strain[count]{}, stress[count];
+    for (std::size_t c = 0; c < count; ++c) strain[c][0] = particles.strain[c][p];
+    return ice_stress<D, Real>(IceConstants<D, Real>(IceModel{}), strain, lanes, stress) & ice_unusable;
+}
+
+// What is wrong with a particle; null if nothing is.
+template <int D, class Real>
+const char* complaint(const Particles<D, Real>& particles, std::size_t p, bool fracture) {
+    bool finite = particles.j.empty() || std::isfinite(particles.j[p]);
+    for (const auto& column : particles.strain)
+        finite = finite && (column.empty() || std::isfinite(column[p]));
+    if (!finite) return " has a strain that is not a number";
+    if (particles.material == Material::water && particles.j[p] <= Real(-1))
+        return " was squeezed to no volume";
+    if (particles.material == Material::ice && !fracture && beyond_elastic_ice(particles, p))
+        return " is strained beyond what elastic ice can bear";
+    return nullptr;
+}
+
 // Names a particle whose state cannot be used; empty if there is none.
 template <int D, class Real>
 std::string bad_particle(const Simulation<D, Real>& s) {
     for (const auto& particles : s.bodies) {
         for (std::size_t p = 0; p < particles.size(); ++p) {
-            bool finite = particles.j.empty() || std::isfinite(particles.j[p]);
-            for (const auto& column : particles.strain) {
-                finite = finite && (column.empty() || std::isfinite(column[p]));
-            }
-            const bool collapsed = !particles.j.empty() && particles.j[p] <= Real(-1);
-            if (finite && !collapsed) continue;
+            const char* what = complaint(particles, p, s.parameters.ice.fracture);
+            if (what == nullptr) continue;
             return std::string(material_name(particles.material)) + " particle " +
-                   std::to_string(particles.id[p]) +
-                   (finite ? " was squeezed to no volume" : " has a strain that is not a number");
+                   std::to_string(particles.id[p]) + what;
         }
     }
     return {};
@@ -70,9 +88,7 @@ std::string bad_particle(const Simulation<D, Real>& s) {
 
 template <int D, class Real>
 [[noreturn]] void fail_at_bad_particle(const Simulation<D, Real>& s) {
-    std::string what = bad_particle(s);
-    if (what.empty()) what = "some ice is strained beyond what elastic ice can bear";
-    throw NumericsError(where(s, "pass") + what + remedy);
+    throw NumericsError(where(s, "pass") + bad_particle(s) + remedy);
 }
 
 template <int D, class Real>
