@@ -25,7 +25,7 @@ void throw_body(const Vector<D, double>& velocity, typename Start<D>::Body& body
 template <int D>
 Start<D> thrown_sheet(bool block, WallRule rule) {
     auto start = test::long_ice_box<D>(20, 16);
-    for (auto& axis : start.parameters.walls) axis = {rule, rule};
+    for (auto& axis : start.parameters.boundaries.walls) axis = {rule, rule};
     const auto sheet = test::box_shape<D>(at<D>(9.0, 4.0, 3.0), at<D>(9.5, 12.0, 13.0));
     const auto cube = test::box_shape<D>(at<D>(5.0, 6.0, 6.0), at<D>(9.0, 10.0, 10.0));
     auto& body = test::add_ice<D>([&](const auto& x) { return sheet(x) || (block && cube(x)); }, start);

@@ -20,7 +20,7 @@ Start<D> shear_cell(bool cap) {
     start.cells.fill(4);
     start.cells[0] = 48, start.cells[D - 1] = 12;
     start.parameters.ice.cap_hardening = cap;
-    start.parameters.walls[D - 1][0] = WallRule::stick;
+    start.parameters.boundaries.walls[D - 1][0] = WallRule::stick;
     Vector<D, double> low = Vector<D, double>::Zero(), high = Vector<D, double>::Constant(4.0);
     low[0] = 2.0, high[0] = 2.0 + length, high[D - 1] = thick;
     test::add_ice<D>(test::box_shape<D>(low, high), start);

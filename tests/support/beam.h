@@ -26,7 +26,7 @@ public:
         start.parameters.gravity = beam.gravity;
         start.parameters.ice = beam.ice;
         start.parameters.ice.fracture = false;
-        start.parameters.walls[0][0] = mpm::WallRule::stick;
+        start.parameters.boundaries.walls[0][0] = mpm::WallRule::stick;
         rest_ = add_ice<2>(box_shape<2>(low, high), start).points;
         tip_ = high[0];
         simulation_ = mpm::make_simulation<2, Real>(start);
