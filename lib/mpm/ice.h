@@ -39,7 +39,7 @@ struct IceModel {
     Moduli moduli = Moduli::plane_strain;
     bool fracture = true;       // false: elastic, and return_to_yield is never called
     double beta_p0 = 0.5e6;     // βp0, strength under isotropic tension at the start, Pa
-    double beta = 0.1;          // β > 0, strength in isotropic tension over that in compression
+    double beta = 0.03;         // β > 0, strength in isotropic tension over that in compression; see README
     double friction = 1.4;      // M, slope of the critical state line q = M p
     double hardening = 3.0;     // ξ > 0; softening in tension is stable only if βξ < 1
     bool cap_hardening = true;  // keep α ≥ α0 and so p0 ≤ p0(α0); false is the paper's rule, by which ice

@@ -181,3 +181,89 @@ TEST_CASE("pictures after the run's end are warned of and are no error") {
           Lines{"postprocess.picture_times: later than simulate.end_time = 10 s: 11, 12; the last snapshot "
                 "is drawn instead"});
 }
+
+namespace {
+
+const std::string slab_scene = R"(effects = ["water", "ice", "fracture", "shelf", "push", "outlet", "settle"]
+[domain]
+size = [60, 24]
+cell_size = 1
+[water]
+submergence = 0.25
+[ice]
+size = [34, 8]
+corner = [0, 10]
+[shelf]
+length = 30
+height = 10
+[push]
+speed = 2
+[outlet]
+width = 12
+[simulate]
+end_time = 3
+snapshot_interval = 0.5
+)";
+
+std::string slab_problem(const std::string& set) {
+    const std::string line = problem(slab_scene, {set});
+    const std::string lead = "--set " + set + ": ";
+    return line.starts_with(lead) ? line.substr(lead.size()) : line;
+}
+
+}  // namespace
+
+TEST_CASE("the water's depth follows from the ice's submergence, and the resolved scene reads back") {
+    const Scene scene = read_text_as_scene(slab_scene);
+    CHECK(scene.water.depth == 12.0);
+    CHECK(read_text_as_scene(resolved_text(scene)).water.depth == 12.0);
+    CHECK(resolved_text(read_text_as_scene(resolved_text(scene))) == resolved_text(scene));
+    CHECK(read_text_as_scene(slab_scene, {"water.submergence=1.2"}).water.depth == doctest::Approx(19.6));
+}
+
+TEST_CASE("depth and submergence must agree, and one of them must be there") {
+    CHECK(slab_problem("water.depth=13") == "13 m, but water.submergence says 12 m; remove one of them");
+    CHECK(slab_problem("water.submergence=-1") ==
+          "a.toml: water.depth: missing; add it, or a water.submergence of 0 or more");
+    CHECK(set_problem("water.submergence=0.2") ==
+          "is measured on ice, and effects does not name \"ice\"; use water.depth");
+}
+
+TEST_CASE("an effect that has nothing to act on is told") {
+    CHECK(problem(block_scene, {"effects=[\"water\", \"rigid\", \"fracture\"]"}) ==
+          "--set effects=[\"water\", \"rigid\", \"fracture\"]: names \"fracture\" but not \"ice\", so there "
+          "is nothing "
+          "that could fracture; add \"ice\" or remove \"fracture\"");
+}
+
+TEST_CASE("ice lies inside the tank and on the shelf, not in it") {
+    CHECK(slab_problem("ice.corner=[30, 10]") ==
+          "the ice ends outside the tank: along x at 64 m, the tank at 60 m; move ice.corner or shrink "
+          "ice.size");
+    CHECK(slab_problem("ice.corner=[0, 9]")
+              .starts_with("the ice reaches into the shelf: its base is at 9 m, the "
+                           "shelf's top at 10 m"));
+    CHECK(slab_problem("ice.corner=[30, 2]").find("shelf") == std::string::npos);  // beyond it
+}
+
+TEST_CASE("a shelf's faces lie on cell edges inside the tank") {
+    CHECK(slab_problem("shelf.length=29.5") ==
+          "29.5 m is not a whole number of cells of 1 m; its faces lie on cell "
+          "edges, the nearest is 30 m");
+    CHECK(slab_problem("shelf.length=60") ==
+          "60 m fills the tank, 60 m along x; shorten it or enlarge domain.size");
+}
+
+TEST_CASE("a crack band needs its energy, and ice that would snap is told") {
+    CHECK(slab_problem("fracture.softening=\"crack_band\"").find("fracture.energy: missing") !=
+          std::string::npos);
+    const auto band =
+        read_text_as_scene(slab_scene, {"fracture.softening=\"crack_band\"", "fracture.energy=2000"});
+    const auto twice =
+        read_text_as_scene(slab_scene, {"fracture.softening=\"crack_band\"", "fracture.energy=4000"});
+    CHECK(ice_model(band).hardening == doctest::Approx(2 * ice_model(twice).hardening));
+    CHECK(ice_model(read_text_as_scene(slab_scene)).hardening == 3.0);
+    const auto snaps = scene_warnings(read_text_as_scene(slab_scene, {"fracture.beta=0.5"}));
+    REQUIRE(!snaps.empty());
+    CHECK(snaps[0].find("βξ = 1.5") != std::string::npos);
+}
