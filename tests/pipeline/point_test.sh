@@ -73,3 +73,14 @@ expect_code 5
 expect_line "missing"
 run bash -c "'$bin/tidewater-point' --steps 10 >/dev/full"
 expect_code 5
+
+case_named "a scene gives its ice, and excludes options of the ice"
+cp "$(dirname "$0")/tiny_ice.toml" .
+run "$bin/tidewater-point" --scene tiny_ice.toml --set fracture.beta=0.1 --path uniaxial --strain 5e-3 --out scene
+expect_code 0
+expect_line "p0 at the start               500 kPa"
+run "$bin/tidewater-point" --scene tiny_ice.toml --beta 0.1 --out scene
+expect_code 2
+run "$bin/tidewater-point" --scene tiny_ice.toml --set fracture.bta=0.1 --out scene
+expect_code 2
+expect_line "did you mean fracture.beta?"

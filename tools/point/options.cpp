@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/provenance.h"
+#include "scene/scene.h"
 
 namespace tidewater::point {
 namespace {
@@ -18,6 +19,8 @@ using mpm::ShearReturn;
 // What stands on the command line, in its units.
 struct Words {
     IceModel ice;
+    std::string scene;             // empty: ice from the options above
+    std::vector<std::string> set;  // keys of the scene
     mpm::Loading loading;
     int dimension = 3;
     bool failed = false;
@@ -58,6 +61,21 @@ void declare_ice(CLI::App& app, Words& words) {
         ->group("Ice");
 }
 
+// Declared after the options of the ice, which a scene replaces.
+void declare_scene(CLI::App& app, Words& words) {
+    const auto of_ice =
+        app.get_options([](const CLI::Option* option) { return option->get_group() == "Ice"; });
+    auto* scene =
+        app.add_option("--scene", words.scene, "take the ice, its cells and the dimension of this scene")
+            ->type_name("FILE")
+            ->group("Scene");
+    for (CLI::Option* option : of_ice) scene->excludes(option);
+    app.add_option("--set", words.set, "a key of the scene, instead of the file's value; repeatable")
+        ->type_name("KEY=VALUE")
+        ->needs(scene)
+        ->group("Scene");
+}
+
 void declare_path(CLI::App& app, Words& words) {
     mpm::Loading& loading = words.loading;
     std::vector<std::string> names;
@@ -94,8 +112,20 @@ void declare_path(CLI::App& app, Words& words) {
         ->group("Path");
 }
 
+IceModel ice_of_scene(Words& words) {
+    std::vector<scene::Override> overrides;
+    for (const std::string& set : words.set) overrides.push_back(scene::parse_override(set));
+    const scene::Scene scene = scene::read_scene(words.scene, overrides);
+    if (!scene.has("fracture"))
+        throw SceneError(words.scene +
+                         ": effects names no \"fracture\", so its ice has no strength to be driven to");
+    words.dimension = scene.dimension;
+    return ice_model(scene);
+}
+
 // The one place where the ice is made.
-IceModel make_ice_model(const Words& words) {
+IceModel make_ice_model(Words& words) {
+    if (!words.scene.empty()) return ice_of_scene(words);
     IceModel ice = words.ice;
     ice.moduli = words.moduli == "paper" ? Moduli::paper : Moduli::plane_strain;
     ice.shear_return = words.shear_return == "trace" ? ShearReturn::trace : ShearReturn::pressure;
@@ -106,7 +136,7 @@ IceModel make_ice_model(const Words& words) {
     return ice;
 }
 
-Options make_options(const Words& words) {
+Options make_options(Words& words) {
     Options options{.ice = make_ice_model(words),
                     .loading = words.loading,
                     .dimension = words.dimension,
@@ -130,6 +160,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     Words words;
     app.set_version_flag("--version", "tidewater-point " + program_version());
     declare_ice(app, words);
+    declare_scene(app, words);
     declare_path(app, words);
     app.add_option("--out", words.out, "where the results go: PREFIX.csv and PREFIX.svg")
         ->type_name("PREFIX")
