@@ -2,6 +2,7 @@
 # point_test.sh BIN: tidewater-point's command line, table, picture and summary.
 source "$(dirname "$0")/assert.sh"
 bin=$1
+cp "$(dirname "$0")/tiny_ice.toml" "$work"
 cd "$work" || exit 1
 
 point() { run "$bin/tidewater-point" "$@"; }
@@ -75,7 +76,6 @@ run bash -c "'$bin/tidewater-point' --steps 10 >/dev/full"
 expect_code 5
 
 case_named "a scene gives its ice, and excludes options of the ice"
-cp "$(dirname "$0")/tiny_ice.toml" .
 run "$bin/tidewater-point" --scene tiny_ice.toml --set fracture.beta=0.1 --path uniaxial --strain 5e-3 --out scene
 expect_code 0
 expect_line "p0 at the start               500 kPa"
