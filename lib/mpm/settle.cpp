@@ -65,11 +65,6 @@ void begin_time(Simulation<D, Real>& s) {
 }  // namespace
 
 template <int D, class Real>
-double settle_stress(const Simulation<D, Real>& s) {
-    return s.settling.stress;
-}
-
-template <int D, class Real>
 void begin_settling(Simulation<D, Real>& s) {
     s.settling = {.going = true, .stress = std::numeric_limits<double>::infinity()};
 }
@@ -99,9 +94,8 @@ bool settle_step(Simulation<D, Real>& s, double tolerance) {
     return true;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                         \
-    template double settle_stress(const Simulation<D, Real>&); \
-    template void begin_settling(Simulation<D, Real>&);        \
+#define TIDEWATER_INSTANTIATE(D, Real)                  \
+    template void begin_settling(Simulation<D, Real>&); \
     template bool settle_step(Simulation<D, Real>&, double);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)

@@ -13,10 +13,6 @@
 
 namespace tidewater::mpm {
 
-// Stress of the waves that are left, Pa: of the last peak of kinetic energy; infinite before the first.
-template <int D, class Real>
-double settle_stress(const Simulation<D, Real>& s);
-
 // Begins the phase at the start, s.time = 0.
 template <int D, class Real>
 void begin_settling(Simulation<D, Real>& s);

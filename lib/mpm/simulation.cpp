@@ -31,8 +31,6 @@ std::string where(const Simulation<D, Real>& s, const char* phase) {
     return "step " + std::to_string(s.step) + ", t = " + std::to_string(s.time) + " s, phase " + phase + ": ";
 }
 
-constexpr const char* remedy = "; use a smaller simulate.cfl or a higher water.sound_speed";
-
 template <int D, class Real>
 void sort_if_needed(Simulation<D, Real>& s) {
     const double cells = s.speeds.particle * s.dt / s.grid.layout.cell_size + s.push;
@@ -64,20 +62,22 @@ const char* complaint(const Particles<D, Real>& particles, std::size_t p, bool f
     bool finite = particles.j.empty() || std::isfinite(particles.j[p]);
     for (const auto& column : particles.strain)
         finite = finite && (column.empty() || std::isfinite(column[p]));
-    if (!finite) return " has a strain that is not a number";
+    if (!finite) return " has a strain that is not a number; use a smaller simulate.cfl";
     if (particles.material == Material::water && particles.j[p] <= Real(-1))
-        return " was squeezed to no volume";
+        return " was squeezed to no volume; use a smaller simulate.cfl or a higher water.sound_speed";
     if (particles.material == Material::ice && !fracture && beyond_elastic_ice(particles, p))
-        return " is strained beyond what elastic ice can bear";
+        return " is strained beyond what elastic ice can bear; name the effect \"fracture\" or use a smaller "
+               "simulate.cfl";
     return nullptr;
 }
 
 // Names a particle whose state cannot be used; empty if there is none.
 template <int D, class Real>
 std::string bad_particle(const Simulation<D, Real>& s) {
+    const bool fracture = s.parameters.ice.fracture && s.settling.going == 0;
     for (const auto& particles : s.bodies) {
         for (std::size_t p = 0; p < particles.size(); ++p) {
-            const char* what = complaint(particles, p, s.parameters.ice.fracture);
+            const char* what = complaint(particles, p, fracture);
             if (what == nullptr) continue;
             return std::string(material_name(particles.material)) + " particle " +
                    std::to_string(particles.id[p]) + what;
@@ -88,7 +88,7 @@ std::string bad_particle(const Simulation<D, Real>& s) {
 
 template <int D, class Real>
 [[noreturn]] void fail_at_bad_particle(const Simulation<D, Real>& s) {
-    throw NumericsError(where(s, "pass") + bad_particle(s) + remedy);
+    throw NumericsError(where(s, "pass") + bad_particle(s));
 }
 
 template <int D, class Real>
@@ -132,7 +132,7 @@ double greatest_speed2(const Node<Real>* nodes) {
 template <int D, class Real>
 [[noreturn]] void fail_at_bad_node(const Simulation<D, Real>& s, std::size_t slot) {
     if (const std::string what = bad_particle(s); !what.empty()) {
-        throw NumericsError(where(s, "pass") + what + remedy);
+        throw NumericsError(where(s, "pass") + what);
     }
     const Index<D> block = block_at<D>(s.grid.node_blocks[slot]);
     std::string place;
@@ -140,7 +140,8 @@ template <int D, class Real>
         const double middle = s.grid.layout.first_node(block[axis]) + 0.5 * Block<D>::width;
         place += (axis > 0 ? ", " : "") + std::to_string(s.grid.layout.cell_size * middle);
     }
-    throw NumericsError(where(s, "grid") + "a velocity near (" + place + ") m is not a number" + remedy);
+    throw NumericsError(where(s, "grid") + "a velocity near (" + place +
+                        ") m is not a number; use a smaller simulate.cfl");
 }
 
 template <int D, class Real>
