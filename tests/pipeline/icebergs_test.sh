@@ -92,13 +92,21 @@ expect_no_file tiny/postprocess/fragments.csv
 case_named "tidewater-overhang puts runs beside beam theory"
 cp -r broken deeper
 sed -i 's/^depth = .*/depth = 92/' deeper/postprocess/scene.toml
-run "$bin/tidewater-overhang" deeper broken cracked --out compared
+cp -r broken pushed
+sed -i 's/^effects = .*/effects = ["water", "ice", "fracture", "shelf", "push"]/' pushed/postprocess/scene.toml
+printf '[shelf]\nlength = 200\nheight = 60\n[push]\nspeed = 10\nramp = 1\n' >>pushed/postprocess/scene.toml
+run "$bin/tidewater-overhang" deeper broken cracked pushed --out compared
 expect_code 0
 expect_file compared/overhang.svg
 expect_same "$(grep --invert-match '^#' compared/overhang.csv | cut --delimiter=, --fields=1-3)" "run,height,depth_ratio
 broken,80,0.2
 cracked,80,0.2
+pushed,80,0.2
 deeper,80,0.4"
+expect_same "$(value compared/overhang.csv overhang)" nan
+pushed=$(grep --invert-match '^#' compared/overhang.csv | sed --quiet --regexp-extended '1p;/^pushed/p')
+expect_near "the overhang" "$(value - overhang <<<"$pushed")" 0.624375 1e-6 # (240 + 10 (1.495 - 0.5) - 200) / 80
+expect_near "the first crack's place" "$(value - crack_position_ratio <<<"$pushed")" 0.7625 0.001
 expect_near "Li/H" "$(value compared/overhang.csv length_ratio)" 0.7625 0.03
 expect_near "eq. 1" "$(value compared/overhang.csv eq1)" 0.7792 0.001
 expect_same "$(find compared | wc -l)" 3
