@@ -1,10 +1,17 @@
 #include "analysis/beam.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
 namespace tidewater::analysis {
+
+Overhang submerged(const Overhang& overhang) {
+    Overhang result = overhang;
+    result.depth = std::min(overhang.depth, overhang.height);
+    return result;
+}
 
 double load_share(const Overhang& overhang) {
     assert(overhang.height > 0.0 && overhang.depth >= 0.0);

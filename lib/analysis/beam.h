@@ -11,6 +11,11 @@
 // Wolper et al. (2021), eqs. 1 and 10, take half of that stress, so their lengths are √2 as great:
 //     Li/H = √( 2 σt / (3 ρi g H |n|) )                                         (eq. 1)
 //
+// All take n as it is written, also for D > H, where the water's surface lies above the ice: the paper's
+// cases go up to D/H = 1.2. There n counts buoyancy of more water than ice displaces, for the water on top of
+// it presses down again; of submerged ice n is that of D = H, 1 − ρw/ρi, however deep it is. `submerged`
+// gives that.
+//
 // Test: tests/unit/analysis/beam_test.cpp, against the table in shared/physics.md §2.
 #pragma once
 
@@ -18,11 +23,14 @@ namespace tidewater::analysis {
 
 struct Overhang {
     double height = 0.0;            // H of the ice > 0, m
-    double depth = 0.0;             // D of the water above the ice's base, from 0 to H, m
+    double depth = 0.0;             // D of the water above the ice's base ≥ 0, m
     double ice_density = 900.0;     // ρi, kg/m³
     double water_density = 1000.0;  // ρw, kg/m³
     double gravity = 9.81;          // g, m/s²
 };
+
+// The same with D no greater than H.
+Overhang submerged(const Overhang& overhang);
 
 // n, the share of the weight that the water leaves.
 double load_share(const Overhang& overhang);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "analysis/box.h"
 #include "analysis/detachment.h"
 
 namespace tidewater::analysis {
@@ -15,24 +16,6 @@ namespace {
 
 constexpr float never = std::numeric_limits<float>::infinity();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Box {
-    std::array<double, 3> low, high;  // of the particles' centres, m
-};
-
-Box bounds(std::span<const float> points) {
-    Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        box.low[i % 3] = std::min<double>(box.low[i % 3], points[i]);
-        box.high[i % 3] = std::max<double>(box.high[i % 3], points[i]);
-    }
-    return box;
-}
-
-// Up to where the ice belongs to the rear.
-double rear_end(const Box& box, double spacing) {
-    return box.low[0] + std::max(0.1 * (box.high[2] - box.low[2]), spacing);
-}
 
 // With `never` for what never failed and for the rear.
 std::vector<float> failure_times(const IceAtRest& ice, double end_of_rear) {
@@ -44,7 +27,7 @@ std::vector<float> failure_times(const IceAtRest& ice, double end_of_rear) {
 }
 
 double smallest_volume(const Box& box, const CalvingSettings& settings) {
-    const double height = box.high[2] - box.low[2] + settings.spacing;
+    const double height = box.height() + settings.spacing;
     const double width = settings.dimension == 3 ? box.high[1] - box.low[1] + settings.spacing : 1.0;
     return settings.smallest_share * height * height * width;
 }

@@ -12,7 +12,8 @@ namespace tidewater::io {
 namespace {
 
 constexpr double margin_left = 78, margin_right = 24, margin_top = 72, margin_bottom = 52, gap = 14,
-                 own_axis_share = 0.04;  // of an axis' length, left free at both of its ends
+                 legend_line = 20,  // between the lines of the legend
+    own_axis_share = 0.04;          // of an axis' length, left free at both of its ends
 
 constexpr Color faint_line{150, 155, 162};
 
@@ -81,12 +82,17 @@ std::string rule_style(const ChartMark& mark) { return stroke(line_color(mark.co
 
 bool reads_y(MarkShape shape) { return shape != MarkShape::rule && shape != MarkShape::beyond; }
 
+std::string svg_ring(double x, double y, Color color) {
+    return "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"4\" " + stroke(color, 1.6) + "/>\n";
+}
+
 // Any shape but a rule.
 std::string mark_symbol(const ChartMark& mark, double x, double y) {
     const std::string color = hex(line_color(mark.color));
     const std::string filled = "fill=\"" + color + "\" stroke=\"white\"";
     if (mark.shape == MarkShape::point_down) return svg_triangle(x, y, -1.0, filled);
     if (mark.shape == MarkShape::point_up) return svg_triangle(x, y, 1.0, filled);
+    if (mark.shape == MarkShape::ring) return svg_ring(x, y, line_color(mark.color));
     if (mark.shape == MarkShape::beyond)
         return svg_triangle(x, y, 1.0, "fill=\"white\" stroke-width=\"1.6\" stroke=\"" + color + "\"");
     return svg_dot(x, y, mark.color);
@@ -172,16 +178,26 @@ std::string draw_mark(const Frame& frame, const ChartMark& mark) {
     return mark_symbol(mark, x, y) + svg_text(x + 8, y - 3, "start", mark.note);
 }
 
-std::string draw_legend(const Chart& chart, double y) {
+struct Legend {
+    std::string svg;
+    double added_height = 0.0;  // by lines after the first
+};
+
+Legend draw_legend(const Chart& chart, double first_y) {
     std::string svg;
     std::vector<std::string> named;
-    double x = margin_left;
+    double x = margin_left, y = first_y;
     const auto entry = [&](const std::string& label, const std::string& symbol) {
         if (label.empty() || std::ranges::find(named, label) != named.end()) return;
         named.push_back(label);
+        const double width = 54.0 + 7.0 * static_cast<double>(label.size());
+        if (x > margin_left && x + width > chart.width) {
+            x = margin_left;
+            y += legend_line;
+        }
         svg += "<g transform=\"translate(" + number(x) + " " + number(y) + ")\">" + symbol + "</g>\n";
         svg += svg_text(x + 30, y + 4, "start", label);
-        x += 54.0 + 7.0 * static_cast<double>(label.size());
+        x += width;
     };
     for (const ChartPanel& panel : chart.panels) {
         for (const ChartLine& line : panel.lines) {
@@ -193,7 +209,7 @@ std::string draw_legend(const Chart& chart, double y) {
             entry(mark.label, rule ? svg_line(12, -8, 12, 8, rule_style(mark)) : mark_symbol(mark, 12, 0));
         }
     }
-    return svg;
+    return {svg, y - first_y};
 }
 
 std::string metadata(const Provenance& provenance) {
@@ -227,12 +243,12 @@ std::vector<std::string> x_labels(const Chart& chart) {
 }
 
 // Frames below each other; x and y from the lines and marks.
-std::vector<Frame> make_frames(const Chart& chart, const std::vector<std::string>& labels) {
+std::vector<Frame> make_frames(const Chart& chart, const std::vector<std::string>& labels, double first_top) {
     const Range shared = x_range(chart);
     Range all;
     for (const ChartPanel& panel : chart.panels) include_y(panel, all);
     std::vector<Frame> frames;
-    double top = margin_top;
+    double top = first_top;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const ChartPanel& panel = chart.panels[i];
         Range x, y;
@@ -251,8 +267,10 @@ std::vector<Frame> make_frames(const Chart& chart, const std::vector<std::string
 
 std::string draw_chart(const Chart& chart, const Provenance& provenance) {
     const std::vector<std::string> labels = x_labels(chart);
-    const std::vector<Frame> frames = make_frames(chart, labels);
-    const double height = (frames.empty() ? margin_top : frames.back().bottom) + margin_bottom;
+    const Legend legend = draw_legend(chart, 52);
+    const double first_top = margin_top + legend.added_height;
+    const std::vector<Frame> frames = make_frames(chart, labels, first_top);
+    const double height = (frames.empty() ? first_top : frames.back().bottom) + margin_bottom;
 
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(chart.width) +
                       "\" height=\"" + number(height) + "\" viewBox=\"0 0 " + number(chart.width) + " " +
@@ -261,7 +279,7 @@ std::string draw_chart(const Chart& chart, const Provenance& provenance) {
                       hex(palette::ink) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
     svg += metadata(provenance);
     svg += svg_text(margin_left, 28, "start", chart.title, "font-size=\"16\"");
-    svg += draw_legend(chart, 52);
+    svg += legend.svg;
     for (std::size_t i = 0; i < frames.size(); ++i) svg += draw_panel(frames[i], chart.panels[i], labels[i]);
     return svg + "</svg>\n";
 }

@@ -21,6 +21,7 @@ struct ChartLine {
 
 enum class MarkShape {
     dot,         // a filled circle
+    ring,        // a hollow one
     point_down,  // a filled triangle, as if something came from above
     point_up,    // and from below
     rule,        // a vertical line through the panel; y is not read

@@ -5,6 +5,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "analysis/box.h"
 #include "analysis/fragments.h"
 #include "core/types.h"
 #include "io/snapshot.h"
@@ -103,17 +104,26 @@ std::string place_text(double length) {
     return std::isnan(length) ? "nowhere" : io::format_fixed(length, 1) + " m";
 }
 
+// "at the top", "from the bottom", "inside", "from inside".
+std::string start_text(analysis::CrackStart start, const std::string& preposition) {
+    if (start == analysis::CrackStart::inside) return preposition == "from" ? "from inside" : "inside";
+    return preposition + (start == analysis::CrackStart::top ? " the top" : " the bottom");
+}
+
+std::string describe(const analysis::FirstCrack& crack, double height) {
+    return "first crack: " + start_text(crack.start(), "from") + ", " + io::format_fixed(crack.position, 0) +
+           " m (" + io::format_fixed(crack.position / height, 2) + " H) behind the front, at " +
+           io::format_fixed(crack.start_time, 1) + " s\n";
+}
+
 std::string describe(const analysis::Calving& calving, int dimension) {
     std::string text = "first iceberg: came off at " + io::format_fixed(calving.time, 2) + " s, " +
                        volume_text(calving.volume, dimension);
     if (std::isnan(calving.length)) return text + ", from above or below the rest\n";
-    const char* start = calving.start() == analysis::CrackStart::top      ? "at the top"
-                        : calving.start() == analysis::CrackStart::bottom ? "at the bottom"
-                                                                          : "inside";
     return text + ", " + io::format_fixed(calving.length, 1) + " m long, " +
            io::format_fixed(calving.length / calving.height, 3) + " of its height of " +
-           io::format_fixed(calving.height, 1) + " m\nits crack: began " + start + " at " +
-           io::format_fixed(calving.start_time, 2) + " s; behind the front by " +
+           io::format_fixed(calving.height, 1) + " m\nits crack: began " + start_text(calving.start(), "at") +
+           " at " + io::format_fixed(calving.start_time, 2) + " s; behind the front by " +
            place_text(calving.length_top) + " at the top, " + place_text(calving.length_middle) +
            " halfway, " + place_text(calving.length_bottom) + " at the bottom\n";
 }
@@ -129,11 +139,13 @@ std::optional<Icebergs> find_icebergs(const Frames& frames, const scene::Scene& 
     const double spacing = particle_spacing(scene);
     const analysis::CalvingSettings settings{
         .dimension = scene.dimension, .spacing = spacing, .smallest_share = scene.postprocess.iceberg_share};
-    Icebergs icebergs{.first = analysis::first_detachment(at_rest, settings),
+    Icebergs icebergs{.crack = analysis::first_crack(at_rest, {.spacing = spacing}),
+                      .first = analysis::first_detachment(at_rest, settings),
                       .fragments = {},
                       .end_time = last.time,
                       .failed_share = failed_share(ice),
                       .smallest = analysis::smallest_iceberg(at_rest, settings),
+                      .height = analysis::bounds(ice.points).height() + spacing,
                       .dimension = scene.dimension};
     icebergs.fragments = find_fragments(last, analysis::usual_reach * spacing,
                                         scene.postprocess.iceberg_damage, icebergs.smallest);
@@ -145,12 +157,16 @@ void write_icebergs(const std::filesystem::path& path, const Icebergs& icebergs,
     io::TableWriter table(
         path, provenance,
         {"time", "length", "length_ratio", "length_top", "length_middle", "length_bottom", "height", "volume",
-         "mass", "start_height", "start_time", "failed_share", "end_time"});
+         "mass", "start_height", "start_time", "crack_time", "crack_start_height", "crack_start_time",
+         "crack_position", "failed_share", "end_time"});
     const analysis::Calving first = icebergs.first.value_or(analysis::Calving{});
+    constexpr double none = analysis::none;
+    const analysis::FirstCrack crack = icebergs.crack.value_or(analysis::FirstCrack{none, none, none, none});
     table.append(std::array{first.time, first.length, first.length / first.height, first.length_top,
                             first.length_middle, first.length_bottom, first.height, first.volume,
-                            ice_density * first.volume, first.start_height, first.start_time,
-                            icebergs.failed_share, icebergs.end_time});
+                            ice_density * first.volume, first.start_height, first.start_time, crack.time,
+                            crack.start_height, crack.start_time, crack.position, icebergs.failed_share,
+                            icebergs.end_time});
     table.finish();
 }
 
@@ -167,10 +183,12 @@ void write_fragments(const std::filesystem::path& path, const Icebergs& icebergs
 }
 
 std::string describe(const Icebergs& icebergs) {
+    const std::string crack =
+        icebergs.crack ? describe(*icebergs.crack, icebergs.height) : "no crack formed\n";
     const std::string first =
         icebergs.first ? describe(*icebergs.first, icebergs.dimension)
                        : "no iceberg came off: " + percent(icebergs.failed_share) + " of the ice failed\n";
-    return first + "fragments of intact ice at " + io::format_fixed(icebergs.end_time, 2) +
+    return crack + first + "fragments of intact ice at " + io::format_fixed(icebergs.end_time, 2) +
            " s: " + std::to_string(icebergs.fragments.size()) + " of at least " +
            volume_text(icebergs.smallest, icebergs.dimension) + "\n";
 }

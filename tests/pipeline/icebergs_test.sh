@@ -37,6 +37,11 @@ expect_near mass "$(value $first mass)" "$(awk -v v="$(value $first volume)" 'BE
 awk -v h="$(value $first start_height)" 'BEGIN { exit !(h > 0.67) }' || fail_case "the crack began at the top"
 expect_line "first iceberg: came off at 1.50 s, "
 expect_line "its crack: began at the top at "
+expect_line "first crack: from the top, 61 m (0.76 H) behind the front, at 1.1 s"
+expect_near crack_time "$(value $first crack_time)" 1.195 1e-6
+expect_near crack_start_time "$(value $first crack_start_time)" 1.105 1e-6
+expect_near crack_start_height "$(value $first crack_start_height)" 0.9875 1e-6
+expect_near crack_position "$(value $first crack_position)" 61 0.1
 expect_file broken/postprocess/frame_t=2.00.png
 
 case_named "fragments are listed from the largest on, without crumbs"
@@ -44,12 +49,20 @@ expect_same "$(grep --invert-match --count '^#' broken/postprocess/fragments.csv
 expect_near "the rest's volume" "$(value broken/postprocess/fragments.csv volume)" 13500 500
 expect_line "fragments of intact ice at 2.00 s: 2 of at least 320 m² per m of width"
 
-case_named "a crack that is not through detaches nothing"
+case_named "a crack that is not through detaches nothing, and is told"
 postprocess cracked 10
 expect_code 0
 expect_same "$(value cracked/postprocess/icebergs.csv time)" nan
+expect_near crack_time "$(value cracked/postprocess/icebergs.csv crack_time)" 1.195 1e-6
+expect_line "first crack: from the top, 61 m "
 expect_same "$(grep --invert-match --count '^#' cracked/postprocess/fragments.csv)" 2
 expect_line "no iceberg came off: "
+
+case_named "a toe that is crushed is no crack"
+postprocess crushed 80
+expect_code 0
+expect_same "$(value crushed/postprocess/icebergs.csv crack_time)" nan
+expect_line "no crack formed"
 
 case_named "what is an iceberg is the scene's choice"
 postprocess broken 0 --set postprocess.iceberg_share=1
@@ -79,13 +92,21 @@ expect_no_file tiny/postprocess/fragments.csv
 case_named "tidewater-overhang puts runs beside beam theory"
 cp -r broken deeper
 sed -i 's/^depth = .*/depth = 92/' deeper/postprocess/scene.toml
-run "$bin/tidewater-overhang" deeper broken cracked --out compared
+cp -r broken pushed
+sed -i 's/^effects = .*/effects = ["water", "ice", "fracture", "shelf", "push"]/' pushed/postprocess/scene.toml
+printf '[shelf]\nlength = 200\nheight = 60\n[push]\nspeed = 10\nramp = 1\n' >>pushed/postprocess/scene.toml
+run "$bin/tidewater-overhang" deeper broken cracked pushed --out compared
 expect_code 0
 expect_file compared/overhang.svg
 expect_same "$(grep --invert-match '^#' compared/overhang.csv | cut --delimiter=, --fields=1-3)" "run,height,depth_ratio
 broken,80,0.2
 cracked,80,0.2
+pushed,80,0.2
 deeper,80,0.4"
+expect_same "$(value compared/overhang.csv overhang)" nan
+pushed=$(grep --invert-match '^#' compared/overhang.csv | sed --quiet --regexp-extended '1p;/^pushed/p')
+expect_near "the overhang" "$(value - overhang <<<"$pushed")" 0.624375 1e-6 # (240 + 10 (1.495 - 0.5) - 200) / 80
+expect_near "the first crack's place" "$(value - crack_position_ratio <<<"$pushed")" 0.7625 0.001
 expect_near "Li/H" "$(value compared/overhang.csv length_ratio)" 0.7625 0.03
 expect_near "eq. 1" "$(value compared/overhang.csv eq1)" 0.7792 0.001
 expect_same "$(find compared | wc -l)" 3

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "io/table.h"
 #include "io/text.h"
+#include "mpm/boundary.h"
 #include "mpm/ice.h"
 #include "scene/scene.h"
 
@@ -32,6 +33,13 @@ void require_file(const std::filesystem::path& path) {
     if (std::filesystem::exists(path)) return;
     throw InputError(path.string() +
                      ": the file does not exist; run tidewater-postprocess on a run whose ice fractures");
+}
+
+// Of the ice beyond the shelf's edge, m.
+double overhang_length(const scene::Scene& scene, double time) {
+    if (!scene.has("shelf") || !scene.has("push")) return analysis::none;
+    const mpm::Push push{.speed = scene.push.speed, .ramp = scene.push.ramp};
+    return scene.ice.corner.front() + scene.ice.size.front() + push.position(time) - scene.shelf.length;
 }
 
 auto order(const Case& c) {
@@ -72,7 +80,11 @@ Case read_case(const std::filesystem::path& run) {
     result.time = value("time");
     result.length_ratio = value("length_ratio");
     result.start_height = value("start_height");
+    result.crack_time = value("crack_time");
+    result.crack_start_height = value("crack_start_height");
+    result.crack_position = value("crack_position") / slab.height;
     result.end_time = value("end_time");
+    result.overhang_ratio = overhang_length(scene, result.time) / slab.height;
     return result;
 }
 
@@ -84,17 +96,34 @@ void sort_cases(std::vector<Case>& cases) {
 
 void write_cases(const std::filesystem::path& path, const std::vector<Case>& cases,
                  const Provenance& provenance) {
-    io::TableWriter table(path, provenance,
-                          {"run", "height", "depth_ratio", "strength", "uniaxial_strength", "time",
-                           "length_ratio", "start_height", "end_time", "eq1", "error_eq1", "beam",
-                           "error_beam", "uniaxial_beam", "error_uniaxial_beam"});
+    std::vector<std::string> columns = {"run",
+                                        "height",
+                                        "depth_ratio",
+                                        "strength",
+                                        "uniaxial_strength",
+                                        "time",
+                                        "length_ratio",
+                                        "start_height",
+                                        "crack_time",
+                                        "crack_start_height",
+                                        "crack_position_ratio",
+                                        "overhang",
+                                        "end_time"};
+    for (const std::string theory : {"eq1", "beam", "uniaxial_beam"})
+        columns.insert(columns.end(), {theory, "error_" + theory, "error_" + theory + "_overhang"});
+    io::TableWriter table(path, provenance, columns);
     for (const Case& c : cases) {
+        std::vector<double> numbers{c.overhang.height,   c.depth_ratio(),  c.strength,
+                                    c.uniaxial_strength, c.time,           c.length_ratio,
+                                    c.start_height,      c.crack_time,     c.crack_start_height,
+                                    c.crack_position,    c.overhang_ratio, c.end_time};
+        for (const double theory : {c.eq1(), c.beam(), c.uniaxial_beam()}) {
+            numbers.push_back(theory);
+            numbers.push_back(error_percent(c.length_ratio, theory));
+            numbers.push_back(error_percent(c.overhang_ratio, theory));
+        }
         std::vector<std::string> cells{c.name};
-        for (const double number :
-             {c.overhang.height, c.depth_ratio(), c.strength, c.uniaxial_strength, c.time, c.length_ratio,
-              c.start_height, c.end_time, c.eq1(), error_percent(c.length_ratio, c.eq1()), c.beam(),
-              error_percent(c.length_ratio, c.beam()), c.uniaxial_beam(),
-              error_percent(c.length_ratio, c.uniaxial_beam())}) {
+        for (const double number : numbers) {
             cells.push_back(io::format_number(number));
         }
         table.append_cells(cells);

@@ -68,3 +68,12 @@ TEST_CASE("the water leaves all of the weight of a dry beam, none in balance, le
     const Overhang in_balance{.height = 2.0, .depth = 1.0, .ice_density = 500.0};
     CHECK(std::isinf(beam_length_ratio(in_balance, strength)));
 }
+
+TEST_CASE("water above the ice counts as the formula is written, and not for submerged ice") {
+    const Overhang deep = overhang(200.0, 1.2);
+    CHECK(load_share(deep) == doctest::Approx(1.0 - 1.2 / 0.9));
+    CHECK(load_share(submerged(deep)) == doctest::Approx(1.0 - 1.0 / 0.9));
+    CHECK(paper_length_ratio(deep, strength) ==
+          doctest::Approx(paper_length_ratio(overhang(200.0, 1.0), strength) / std::sqrt(3.0)));
+    CHECK(load_share(submerged(overhang(200.0, 0.3))) == load_share(overhang(200.0, 0.3)));
+}

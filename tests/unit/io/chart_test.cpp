@@ -75,13 +75,31 @@ TEST_CASE("marks have shapes, and what lies beyond a panel is told at its top") 
     chart.panels[0].marks = {
         {.label = "a", .shape = MarkShape::point_down, .x = 0.5, .y = 3.0, .note = {}},
         {.label = "b", .shape = MarkShape::point_up, .x = 0.5, .y = 0.5, .note = {}},
-        {.label = "c", .shape = MarkShape::beyond, .x = 0.5, .y = std::nan(""), .note = {}}};
+        {.label = "c", .shape = MarkShape::beyond, .x = 0.5, .y = std::nan(""), .note = {}},
+        {.label = "d", .shape = MarkShape::ring, .x = 0.5, .y = 1.0, .note = {}}};
     const std::string svg = draw_chart(chart, test_provenance());
     CHECK(well_formed(svg));
     CHECK(count(svg, "<polygon") == 6);
     CHECK(count(svg, "fill=\"white\" stroke-width") == 2);
+    CHECK(count(svg, "r=\"4\" fill=\"none\"") == 2);
     CHECK(count(svg, ">3<") == 1);
     CHECK(svg.find("nan") == std::string::npos);
+}
+
+TEST_CASE("a legend that is too long goes on in a line below, and the panels make room") {
+    Chart chart{.title = "t", .x_label = "x", .panels = {ChartPanel{}}, .width = 400.0};
+    const std::string shorter = draw_chart(chart, test_provenance());
+    for (const char* label : {"first of the lines", "second of the lines", "third of the lines"})
+        chart.panels[0].lines.push_back({.label = label, .x = {}, .y = {}});
+    const std::string svg = draw_chart(chart, test_provenance());
+    CHECK(well_formed(svg));
+    CHECK(count(svg, " 52.00)\">") == 1);
+    CHECK(count(svg, " 72.00)\">") == 1);
+    CHECK(count(svg, " 92.00)\">") == 1);
+    const auto height = [](const std::string& chart_text) {
+        return std::stod(chart_text.substr(chart_text.find("height=\"") + 8));
+    };
+    CHECK(height(svg) == doctest::Approx(height(shorter) + 40.0));
 }
 
 TEST_CASE("one range of y makes panels comparable") {
