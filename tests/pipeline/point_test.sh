@@ -78,7 +78,7 @@ expect_code 5
 case_named "a scene gives its ice, and excludes options of the ice"
 run "$bin/tidewater-point" --scene tiny_ice.toml --set fracture.beta=0.1 --path uniaxial --strain 5e-3 --out scene
 expect_code 0
-expect_line "p0 at the start               500 kPa"
+expect_line "p0 at the start               500.0 kPa"
 run "$bin/tidewater-point" --scene tiny_ice.toml --beta 0.1 --out scene
 expect_code 2
 run "$bin/tidewater-point" --scene tiny_ice.toml --set fracture.bta=0.1 --out scene
