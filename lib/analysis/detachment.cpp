@@ -114,6 +114,7 @@ std::optional<Detachment> find_detachment(const IceAtRest& ice, std::span<const 
         for (const Iceberg& iceberg : icebergs) {
             candidates.push_back(iceberg.particle);
             if (!parts.at_rear(iceberg.particle) || iceberg.volume <= greatest) continue;
+            if (times[iceberg.particle] <= time) continue;  // a single one that fails now
             greatest = iceberg.volume;
             found = {time, iceberg.particle};
         }

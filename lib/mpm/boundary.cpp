@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tidewater::mpm {
@@ -28,8 +29,9 @@ void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
 template <int D>
 struct Limits {
     const Boundaries<D>& of;
-    int shelf_end = -1, shelf_top = -1;  // nodes of both lie in the shelf
-    int pushed = -1;                     // as along x
+    static constexpr int none = std::numeric_limits<int>::min() / 2;  // below any node
+    int shelf_end = none, shelf_top = none;                           // nodes up to both lie in the shelf
+    int pushed = none;                                                // as along x
     double push_velocity = 0.0;
 
     Limits(const Layout<D>& layout, const Boundaries<D>& boundaries, double time) : of(boundaries) {
@@ -83,12 +85,12 @@ void apply_shelf(const Limits<D>& limits, const Index<D>& node, Node<Real>& velo
 }  // namespace
 
 double Push::velocity(double time) const {
-    if (time >= ramp) return speed;
+    if (time >= 0.0 && time >= ramp) return speed;
     return time <= 0.0 ? 0.0 : 0.5 * speed * (1.0 - std::cos(std::numbers::pi * time / ramp));
 }
 
 double Push::position(double time) const {
-    if (time >= ramp) return speed * (time - 0.5 * ramp);
+    if (time >= 0.0 && time >= ramp) return speed * (time - 0.5 * ramp);
     if (time <= 0.0) return 0.0;
     return 0.5 * speed * (time - ramp / std::numbers::pi * std::sin(std::numbers::pi * time / ramp));
 }

@@ -38,7 +38,7 @@ struct Push {
     double ramp = 0.0;   // s
 
     bool exists() const { return speed != 0.0; }
-    double velocity(double time) const;  // m/s; 0 for time ≤ 0 with a ramp
+    double velocity(double time) const;  // m/s; 0 before time 0
     double position(double time) const;  // m
 };
 

@@ -13,7 +13,8 @@
 //
 // The last is the paper's q-based rule, whose z(q)² is 1 + |dev b|. The scaling keeps p, which keeping tr b
 // would not, and leaves q below q_new by a factor 1 − O(strain²). The surface is that before α moves, as in
-// the paper.
+// the paper. With ShearReturn::trace tr b is kept instead, as in the authors' code: p moves, and the result need
+// not lie on the surface.
 //
 // Sources: Wolper et al. (2021), eqs. 5 and 6; shared/physics.md §2.
 // Tests: tests/unit/mpm/ice_yield_test.cpp and single_point_test.cpp.

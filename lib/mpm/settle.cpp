@@ -76,7 +76,7 @@ bool settle_step(Simulation<D, Real>& s, double tolerance) {
     advance(s, stable_time_step(s));
     s.time = 0.0;
     const Motion motion = motion_of(s);
-    const bool falls = motion.energy < settling.energy;
+    const bool falls = motion.energy < settling.energy || (motion.energy == 0.0 && settling.time > 0.0);
     if (!falls) {
         settling.energy = motion.energy;
         return false;

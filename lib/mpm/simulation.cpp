@@ -66,8 +66,8 @@ const char* complaint(const Particles<D, Real>& particles, std::size_t p, bool f
     if (particles.material == Material::water && particles.j[p] <= Real(-1))
         return " was squeezed to no volume; use a smaller simulate.cfl or a higher water.sound_speed";
     if (particles.material == Material::ice && !fracture && beyond_elastic_ice(particles, p))
-        return " is strained beyond what elastic ice can bear; name the effect \"fracture\" or use a smaller "
-               "simulate.cfl";
+        return " is strained beyond what elastic ice can bear, as ice is without the effect \"fracture\" and "
+               "while it settles; lower its load or use a smaller simulate.cfl";
     return nullptr;
 }
 
@@ -149,7 +149,7 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
     std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
     std::vector<double> speed2(actions.size());
-    const double time = s.settling.going ? 0.0 : s.time + s.dt;
+    const double time = s.settling.going ? -1.0 : s.time + s.dt;  // before any push
     const auto finish = [&](std::size_t slot) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         const Index<D> block = block_at<D>(s.grid.node_blocks[slot]);

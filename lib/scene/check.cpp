@@ -176,6 +176,13 @@ void check_companions(Reading& reading) {
         const char *effect, *needs, *why;
     } rules[] = {{"fracture", "ice", "there is nothing that could fracture"},
                  {"outlet", "water", "there is nothing to let out"}};
+    for (const char* ground : {"shelf", "push", "ice"}) {
+        if (!reading.scene.has("rigid") || !reading.scene.has(ground)) continue;
+        reading.report(
+            "effects",
+            std::string("names \"rigid\" and \"") + ground +
+                "\": a rigid block knows only water and the tank's walls so far; remove one of them");
+    }
     for (const auto& [effect, needs, why] : rules) {
         if (!reading.scene.has(effect) || reading.scene.has(needs)) continue;
         reading.report("effects", "names " + quoted_text(effect) + " but not " + quoted_text(needs) +
@@ -232,6 +239,24 @@ void check_shelf(Reading& reading) {
     check("shelf.height", scene.shelf.height, scene.domain.size.size() - 1);
 }
 
+// Above this share of κ the surface has no compressive tip (mpm/ice_yield.h), and the strength would be
+// another.
+void check_strength(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"effects", "dimension", "ice.youngs_modulus", "ice.poisson_ratio", "ice.moduli",
+                         "fracture.strength", "fracture.beta"}) ||
+        !scene.has("fracture")) {
+        return;
+    }
+    const mpm::IceModel& ice = scene.ice.model;
+    const double p0 = ice.beta_p0 / ice.beta, most = 0.45 * ice.bulk_modulus(scene.dimension);
+    if (p0 < most) return;
+    reading.report("fracture.strength",
+                   "over fracture.beta, p0 of intact ice, is " + number_text(short_number(p0)) +
+                       " Pa; it must be below 0.45 κ = " + number_text(short_number(most)) +
+                       " Pa; lower it, or raise fracture.beta or ice.youngs_modulus");
+}
+
 void check_outlet(Reading& reading) {
     const Scene& scene = reading.scene;
     if (!reading.usable({"effects", "domain.size", "outlet.width"}) || !scene.has("outlet")) return;
@@ -244,10 +269,16 @@ void check_softening(Reading& reading) {
     const Scene& scene = reading.scene;
     if (!reading.usable({"effects", "fracture.softening", "fracture.energy"}) || !scene.has("fracture"))
         return;
-    if (scene.fracture.softening != Softening::crack_band || scene.fracture.energy > 0.0) return;
-    reading.report("fracture.energy",
-                   "missing; softening = \"crack_band\" needs the energy of a crack, e.g. "
-                   "energy = 800 (J/m²)");
+    const bool band = scene.fracture.softening == Softening::crack_band, energy = scene.fracture.energy > 0.0;
+    if (band && !energy) {
+        reading.report("fracture.energy",
+                       "missing; softening = \"crack_band\" needs the energy of a crack, e.g. "
+                       "energy = 800 (J/m²)");
+    } else if (!band && energy) {
+        reading.report("fracture.energy",
+                       "is not read with softening = \"paper\"; set softening = \"crack_band\" "
+                       "or remove it");
+    }
 }
 
 // Reports the numbers of the list that are greater than `most`: "<rule> <most> <unit>: <numbers>".
@@ -329,17 +360,35 @@ std::string cfl_warning(const Scene& scene) {
            ", up to which steps are stable in " + std::to_string(scene.dimension) + "D; 0.5 is safe";
 }
 
-// Above it the crack band releases more elastic energy than it dissipates, and a point snaps.
+// From βξ = 1 on a point snaps in isotropic tension. In uniaxial tension a band of width h snaps if it stores
+// more energy, h σt²/2E, than its crack costs (mpm/ice.h).
 std::string softening_warning(const Scene& scene) {
     const mpm::IceModel ice = ice_model(scene);
     const double product = ice.beta * ice.hardening;
+    if (scene.fracture.softening == Softening::crack_band) {
+        const double strength = ice.uniaxial_strength(scene.dimension);
+        const double stored = 0.5 * scene.domain.cell_size * strength * strength / ice.youngs_modulus;
+        if (scene.fracture.energy >= stored && product < 1.0) return {};
+        return "fracture.energy: cells of " + metres(scene.domain.cell_size) + " store " +
+               number_text(short_number(stored)) +
+               " J/m² before they break, so cracks will cost what the cells say and " + "not " +
+               number_text(scene.fracture.energy) + " J/m²; use smaller cells or a higher energy";
+    }
     if (product < 1.0) return {};
-    const bool band = scene.fracture.softening == Softening::crack_band;
-    return std::string(band ? "fracture.energy" : "fracture.hardening") +
-           ": βξ = " + number_text(short_number(product)) +
-           ", and from 1 on ice snaps within a few steps and dissipates what " +
-           (band ? "the cells say, not fracture.energy; use smaller cells or a higher energy"
-                 : "the steps say; a smaller β or ξ softens gradually");
+    return "fracture.hardening: βξ = " + number_text(short_number(product)) +
+           ", and from 1 on ice snaps within a few steps and dissipates what the steps say; a smaller β or ξ "
+           "softens "
+           "gradually";
+}
+
+// What is pushed must end before the tank does.
+std::string push_warning(const Scene& scene) {
+    const mpm::Push push{scene.push.speed, scene.push.ramp};
+    const double end = push.position(scene.simulate.end_time);
+    const double length = scene.has("ice") ? scene.ice.size.front() : 0.0;
+    if (end + length <= scene.domain.size.front()) return {};
+    return "push.speed: by simulate.end_time the plane is at x = " + metres(short_number(end)) +
+           " and what it pushes meets the right wall; end earlier or push more slowly";
 }
 
 std::string picture_warning(const Scene& scene) {
@@ -377,6 +426,7 @@ void check_scene(Reading& reading) {
     check_shelf(reading);
     check_outlet(reading);
     check_softening(reading);
+    check_strength(reading);
     check_gauges(reading);
     check_times(reading);
 }
@@ -385,6 +435,7 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
     std::vector<std::string> warnings;
     if (scene.has("water")) warnings = {sound_speed_warning(scene), depth_warning(scene)};
     if (scene.has("fracture")) warnings.push_back(softening_warning(scene));
+    if (scene.has("push")) warnings.push_back(push_warning(scene));
     warnings.push_back(cfl_warning(scene));
     warnings.push_back(picture_warning(scene));
     std::erase(warnings, "");

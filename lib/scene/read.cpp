@@ -134,26 +134,35 @@ void check_missing(Reading& reading) {
 // Keys that follow from others.
 void derive(Reading& reading) {
     Scene& scene = reading.scene;
-    if (!reading.usable({"effects", "dimension", "water.submergence"}) || !scene.has("water")) return;
+    if (!reading.usable({"effects"}) || !scene.has("water")) return;
+    const bool given = reading.places.contains("water.depth");
+    if (!given) reading.unusable.insert("water.depth");  // until it is known
+    if (!reading.usable({"dimension", "water.submergence", "domain.size"})) return;
     if (scene.water.submergence < 0.0) {
-        if (scene.water.depth > 0.0 || !reading.usable({"water.depth"})) return;
-        reading.report("water.depth", "missing; add it, or a water.submergence of 0 or more");
-        reading.unusable.insert("water.depth");
+        if (!given && reading.places.contains("water.submergence"))
+            reading.report("water.depth", "missing; add it, or a water.submergence of 0 or more");
         return;
     }
     if (!scene.has("ice")) {
         reading.report("water.submergence",
                        "is measured on ice, and effects does not name \"ice\"; use water.depth");
-        reading.unusable.insert("water.depth");
         return;
     }
-    if (!reading.usable({"ice.size", "ice.corner", "water.depth"})) return;
+    if (!reading.usable({"ice.size", "ice.corner"})) return;
     const double depth = scene.ice.corner.back() + scene.water.submergence * scene.ice.size.back();
-    if (reading.places.contains("water.depth") && std::abs(depth - scene.water.depth) > 1e-9 * depth) {
+    if (given && std::abs(depth - scene.water.depth) > 1e-9 * depth) {
         reading.report("water.depth", number_text(scene.water.depth) + " m, but water.submergence says " +
                                           number_text(depth) + " m; remove one of them");
     }
-    scene.water.depth = depth;
+    if (depth > 0.0 && depth <= scene.domain.size.back()) {
+        scene.water.depth = depth;
+        reading.unusable.erase("water.depth");
+        return;
+    }
+    reading.report("water.submergence",
+                   "puts the still water at " + number_text(depth) +
+                       " m, which must be above 0 m and at most the tank's height; change "
+                       "it, ice.corner or domain.size");
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ namespace {
 void work_on_icebergs(const StageContext& context, const Frames& frames) {
     const auto icebergs = find_icebergs(frames, context.scene);
     if (!icebergs) return;
-    write_icebergs(context.folder / "icebergs.csv", *icebergs, context.scene.ice.model.density, context.provenance);
+    write_icebergs(context.folder / "icebergs.csv", *icebergs, context.scene.ice.model.density,
+                   context.provenance);
     write_fragments(context.folder / "fragments.csv", *icebergs, context.provenance);
     std::fputs(describe(*icebergs).c_str(), stdout);
 }

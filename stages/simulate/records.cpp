@@ -102,14 +102,16 @@ Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path
 
 // Appends what is known of a body's failure; NaN where it has not failed, as snapshots have it.
 template <int D, class Real>
-void append_failure(const mpm::IceModel& ice, const mpm::Particles<D, Real>& particles, io::Snapshot& snapshot) {
+void append_failure(const mpm::IceModel& ice, const mpm::Particles<D, Real>& particles,
+                    io::Snapshot& snapshot) {
     const double limit = ice.hardening * std::abs(ice.initial_alpha(D)), whole = std::sinh(limit);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         float damage = 0.0f, failed = std::numeric_limits<float>::quiet_NaN();
         if (!particles.alpha.empty()) {
             const double angle = ice.hardening * std::max(-static_cast<double>(particles.alpha[p]), 0.0);
             damage = static_cast<float>(std::max(1.0 - std::sinh(std::min(angle, limit)) / whole, 0.0));
-            if (std::isfinite(particles.failure_time[p])) failed = static_cast<float>(particles.failure_time[p]);
+            if (std::isfinite(particles.failure_time[p]))
+                failed = static_cast<float>(particles.failure_time[p]);
         }
         snapshot.damage.push_back(damage);
         snapshot.failure_time.push_back(failed);

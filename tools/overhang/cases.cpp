@@ -39,7 +39,8 @@ void require_file(const std::filesystem::path& path) {
 double overhang_length(const scene::Scene& scene, double time) {
     if (!scene.has("shelf") || !scene.has("push")) return analysis::none;
     const mpm::Push push{.speed = scene.push.speed, .ramp = scene.push.ramp};
-    return scene.ice.corner.front() + scene.ice.size.front() + push.position(time) - scene.shelf.length;
+    const double rear = std::max(scene.ice.corner.front(), push.position(time));  // it meets the ice there
+    return rear + scene.ice.size.front() - scene.shelf.length;
 }
 
 auto order(const Case& c) {
@@ -61,6 +62,9 @@ Case read_case(const std::filesystem::path& run) {
     require_file(path);
     require_file(scene_path);
     const scene::Scene scene = scene::read_scene(scene_path);
+    if (!scene.has("ice"))
+        throw InputError(scene_path.string() +
+                         ": has no ice, and so no iceberg; name runs of scenes with ice");
     const Slab slab = slab_of(scene);
     const double depth = scene.has("water") ? scene.water.depth - slab.base : 0.0;
     Case result{.name = run_name(run),

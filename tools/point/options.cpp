@@ -70,6 +70,7 @@ void declare_scene(CLI::App& app, Words& words) {
             ->type_name("FILE")
             ->group("Scene");
     for (CLI::Option* option : of_ice) scene->excludes(option);
+    scene->excludes(app.get_option("--dimension"));
     app.add_option("--set", words.set, "a key of the scene, instead of the file's value; repeatable")
         ->type_name("KEY=VALUE")
         ->needs(scene)
@@ -160,8 +161,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     Words words;
     app.set_version_flag("--version", "tidewater-point " + program_version());
     declare_ice(app, words);
-    declare_scene(app, words);
     declare_path(app, words);
+    declare_scene(app, words);
     app.add_option("--out", words.out, "where the results go: PREFIX.csv and PREFIX.svg")
         ->type_name("PREFIX")
         ->capture_default_str();

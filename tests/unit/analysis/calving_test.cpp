@@ -238,3 +238,19 @@ TEST_CASE("a million particles of which all fail take less than seconds") {
     MESSAGE(took.count() << " s");
     CHECK(took.count() < 60.0);  // 2 s where it is optimised and alone; with sanitizers and others more
 }
+
+TEST_CASE("a single particle that is as large as an iceberg is none when it fails") {
+    Slab slab;
+    slab.length = 40.0;
+    slab.height = 8.0;  // four particles high: one is 1/16 of the height squared
+    slab.fill([](double d, double z, double) { return d > 20.0 && d < 22.0 && z < 2.0 ? 1.0 : never; });
+    CHECK(!slab.calving());
+    Slab front;
+    front.length = 40.0;
+    front.height = 8.0;
+    front.fill([](double d, double z, double) { return d > 20.0 && d < 22.0 ? 3.0 - 0.1 * z : never; });
+    const auto found = front.calving();
+    REQUIRE(found);
+    CHECK(found->time == doctest::Approx(2.9));
+    CHECK(found->length == doctest::Approx(21.0));
+}

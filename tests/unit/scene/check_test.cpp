@@ -267,3 +267,16 @@ TEST_CASE("a crack band needs its energy, and ice that would snap is told") {
     REQUIRE(!snaps.empty());
     CHECK(snaps[0].find("βξ = 1.5") != std::string::npos);
 }
+
+TEST_CASE("what would be read wrongly or not at all is told") {
+    CHECK(slab_problem("fracture.energy=800").find("is not read with softening") != std::string::npos);
+    CHECK(slab_problem("ice.youngs_modulus=1e7").find("fracture.strength: over fracture.beta") !=
+          std::string::npos);
+    CHECK(slab_problem("water.submergence=3").starts_with("puts the still water at 34 m"));
+    CHECK(problems(block_scene,
+                   {"effects=[\"water\", \"rigid\", \"shelf\"]", "shelf.length=2", "shelf.height=0.1"})
+              .size() == 1);
+    const auto warned = scene_warnings(read_text_as_scene(slab_scene, {"simulate.end_time=20"}));
+    REQUIRE(!warned.empty());
+    CHECK(warned.back().find("meets the right wall") != std::string::npos);
+}
