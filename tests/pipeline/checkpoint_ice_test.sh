@@ -7,7 +7,7 @@ cp "$(dirname "$0")/tiny_ice.toml" "$work"
 cd "$work" || exit 1
 export LC_ALL=C # for the point in EPOCHREALTIME
 
-options=(--set simulate.checkpoint_interval=0.02 --set simulate.end_time=2)
+options=(--set simulate.checkpoint_interval=0.02 --set simulate.end_time=6)
 # simulate FOLDER [OPTION...]
 simulate() { run "$bin/tidewater-simulate" tiny_ice.toml --run "$1" "${options[@]}" "${@:2}"; }
 expect_whole() {
@@ -26,7 +26,7 @@ expect_line "settled after "
 run awk -F, '/^time/ { for (c = 1; c <= NF; ++c) if ($c == "outflow_mass") column = c } END { print ($column > 0) }' \
     whole/simulate/ledger.csv
 expect_same "$output" 1
-run "$bin/tidewater-postprocess" tiny_ice.toml --run whole --set simulate.end_time=2
+run "$bin/tidewater-postprocess" tiny_ice.toml --run whole --set simulate.end_time=6
 expect_code 0
 expect_line "first iceberg: came off at "
 rm -r whole/postprocess
@@ -56,7 +56,7 @@ went_on=0
 for ((kills = 0; kills < 8;)); do
     "$bin/tidewater-simulate" tiny_ice.toml --run cut "${options[@]}" --threads 2 >output 2>&1 &
     process=$!
-    sleep "$(awk "BEGIN { print $duration * (0.02 + 0.25 * $RANDOM / 32768) }")"
+    sleep "$(awk "BEGIN { print 0.1 + $duration * (0.02 + 0.3 * $RANDOM / 32768) }")"
     kill -KILL "$process" 2>/dev/null
     code=0
     wait "$process" 2>/dev/null || code=$?
