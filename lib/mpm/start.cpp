@@ -17,8 +17,8 @@ double fill_columns(const Start<D>& start, const typename Start<D>::Body& body,
                     Particles<D, Real>& particles) {
     double least_j = 0.0;
     if (particles.material == Material::water) {
-        for (const auto& point : body.points) {
-            const double h = body.surface - point[D - 1];
+        for (std::size_t p = 0; p < body.points.size(); ++p) {
+            const double h = body.head.empty() ? body.surface - body.points[p][D - 1] : body.head[p];
             const double j = hydrostatic_j(h, start.parameters.gravity, start.parameters.water);
             particles.j.push_back(static_cast<Real>(j));
             least_j = std::min(least_j, j);

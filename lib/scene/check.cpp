@@ -136,6 +136,66 @@ void check_water(Reading& reading) {
     }
 }
 
+void report_top(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"water.depth"})) return;
+    const double crest = scene.water.depth + scene.wave.height, top = scene.domain.size.back();
+    if (crest > top) {
+        reading.report("wave.height", "the crest at " + metres(short_number(crest)) +
+                                          " is above the tank's top at " + metres(top) +
+                                          "; lower it or raise domain.size");
+    }
+    const bool solitary = scene.wave.kind == analysis::WaveKind::solitary;
+    const double share = solitary ? analysis::highest_solitary : 0.5;
+    if (scene.wave.height <= share * scene.water.depth * (1.0 + 1e-9)) return;
+    reading.report("wave.height", metres(scene.wave.height) + " is more than " + number_text(share) +
+                                      " of the water's depth, up to which the theory holds; lower it to " +
+                                      metres(short_number(share * scene.water.depth)));
+}
+
+// The walls of a standing wave are at its crests and troughs.
+void report_wave_length(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"wave.length"})) return;
+    if (scene.wave.length == 0.0) {
+        return reading.report("wave.length", "missing; a standing wave needs its length, e.g. length = " +
+                                                 number_text(2.0 * scene.domain.size.front()) + " (m)");
+    }
+    const double halves = 2.0 * scene.domain.size.front() / scene.wave.length;
+    const double whole = std::max(std::round(halves), 1.0);
+    if (std::abs(halves - whole) <= tolerance * whole) return;
+    reading.report("wave.length", metres(scene.wave.length) + ": the tank of " +
+                                      metres(scene.domain.size.front()) +
+                                      " holds no whole number of halves of it; the nearest length is " +
+                                      metres(short_number(2.0 * scene.domain.size.front() / whole)));
+}
+
+void check_wave(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"effects", "dimension", "domain.size", "wave.kind", "wave.height"}) ||
+        !scene.has("wave") || !scene.has("water")) {
+        return;
+    }
+    report_top(reading);
+    const bool solitary = scene.wave.kind == analysis::WaveKind::solitary;
+    if (!solitary) report_wave_length(reading);
+    const char* other = solitary ? "wave.length" : "wave.center";
+    if ((solitary ? scene.wave.length : scene.wave.center) != 0.0)
+        reading.report(other, std::string("is not read with kind = \"") +
+                                  (solitary ? "solitary" : "standing") + "\"; remove it");
+    if (solitary && reading.usable({"wave.center"}) && scene.wave.center > scene.domain.size.front()) {
+        reading.report("wave.center", metres(scene.wave.center) + " is beyond the tank's end at " +
+                                          metres(scene.domain.size.front()) + "; move it into the tank");
+    }
+    if (reading.usable({"water.length"}) && scene.water.length > 0.0 &&
+        scene.water.length < scene.domain.size.front()) {
+        reading.report("water.length",
+                       metres(scene.water.length) + " is not the whole tank, which a wave needs; remove it");
+    }
+    if (reading.usable({"domain.gravity"}) && scene.domain.gravity == 0.0)
+        reading.report("domain.gravity", "0 m/s² makes no waves; raise it or take \"wave\" out of effects");
+}
+
 // Half the extent along each axis of the box around the turned block.
 std::vector<double> block_reach(const Scene& scene) {
     std::vector<double> reach = scene.block.size;
@@ -175,13 +235,21 @@ void check_companions(Reading& reading) {
     const struct {
         const char *effect, *needs, *why;
     } rules[] = {{"fracture", "ice", "there is nothing that could fracture"},
-                 {"outlet", "water", "there is nothing to let out"}};
+                 {"outlet", "water", "there is nothing to let out"},
+                 {"wave", "water", "there is nothing that could make a wave"}};
     for (const char* ground : {"shelf", "push", "ice"}) {
         if (!reading.scene.has("rigid") || !reading.scene.has(ground)) continue;
         reading.report(
             "effects",
             std::string("names \"rigid\" and \"") + ground +
                 "\": a rigid block knows only water and the tank's walls so far; remove one of them");
+    }
+    for (const char* body : {"rigid", "ice", "shelf"}) {
+        if (!reading.scene.has("wave") || !reading.scene.has(body)) continue;
+        reading.report("effects",
+                       std::string("names \"wave\" and \"") + body +
+                           "\": the theories of waves know a flat bed and open water alone; remove "
+                           "one of them");
     }
     for (const auto& [effect, needs, why] : rules) {
         if (!reading.scene.has(effect) || reading.scene.has(needs)) continue;
@@ -320,7 +388,7 @@ void check_times(Reading& reading) {
 // broken dam, 2 √(g d) (Ritter 1892); the fall of the block's lowest corner to the still level, √(2 g f); and
 // the fall by the block's own height, as it sinks or topples, √(2 g h).
 double fastest_flow(const Scene& scene) {
-    const double depth = scene.water.depth;
+    const double depth = scene.water.depth + scene.wave.height;
     const bool dam = scene.water.length > 0.0 && scene.water.length < scene.domain.size.front();
     double head = dam ? 4.0 * depth : depth;  // speed² / g
     if (scene.has("rigid")) {
@@ -420,6 +488,7 @@ void check_scene(Reading& reading) {
     check_count(reading);
     check_resolution(reading);
     check_water(reading);
+    check_wave(reading);
     check_block_inside(reading);
     check_companions(reading);
     check_ice(reading);

@@ -124,6 +124,37 @@ constexpr std::array keys{
         .stages = by_simulate,
         .help = "θ of the equation of state"},
 
+    Key{.name = "wave.kind",
+        .member = member<&S::wave, &S::Wave::kind>(),
+        .effect = "wave",
+        .stages = by_geometry | by_simulate,
+        .help = "standing: a crest at x = 0, at rest; solitary: one crest that runs towards +x"},
+    Key{.name = "wave.height",
+        .unit = "m",
+        .member = member<&S::wave, &S::Wave::height>(),
+        .range = positive,
+        .example = "0.05",
+        .effect = "wave",
+        .required = true,
+        .stages = by_geometry | by_simulate,
+        .help = "of the crest above the still water"},
+    Key{.name = "wave.length",
+        .unit = "m",
+        .member = member<&S::wave, &S::Wave::length>(),
+        .range = not_negative,
+        .example = "4",
+        .effect = "wave",
+        .stages = by_geometry | by_simulate,
+        .help = "of a standing wave; the tank holds a whole number of halves"},
+    Key{.name = "wave.center",
+        .unit = "m",
+        .member = member<&S::wave, &S::Wave::center>(),
+        .range = not_negative,
+        .example = "8",
+        .effect = "wave",
+        .stages = by_geometry | by_simulate,
+        .help = "x of a solitary wave's crest at the start"},
+
     Key{.name = "block.size",
         .unit = "m",
         .member = member<&S::block, &S::Block::size>(),
@@ -434,8 +465,8 @@ const Key* find_key(std::string_view name) {
 }
 
 std::span<const std::string> known_effects() {
-    static const std::array<std::string, 8> effects{"water", "rigid", "ice",    "fracture",
-                                                    "shelf", "push",  "outlet", "settle"};
+    static const std::array<std::string, 9> effects{"water", "wave", "rigid",  "ice",   "fracture",
+                                                    "shelf", "push", "outlet", "settle"};
     return effects;
 }
 

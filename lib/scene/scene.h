@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/wave_theory.h"
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
 #include "mpm/water.h"
@@ -48,6 +49,13 @@ struct Scene {
         double length = 0.0;        // m, from the left wall; 0: the whole tank
         mpm::WaterModel model;      // water.density, water.sound_speed, water.exponent
     } water;
+
+    struct Wave {  // effect "wave": the water starts as a wave
+        analysis::WaveKind kind = analysis::WaveKind::standing;
+        double height = 0.0;  // a, m
+        double length = 0.0;  // of a standing wave, m
+        double center = 0.0;  // of a solitary wave's crest at the start, m
+    } wave;
 
     struct Block {                   // effect "rigid"
         std::vector<double> size;    // m
@@ -139,6 +147,9 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
 
 // The ice of a scene as the engine takes it: with ξ from the crack band where the scene asks for it.
 mpm::IceModel ice_model(const Scene& scene);
+
+// The wave that the water of a scene with the effect "wave" starts as.
+analysis::InitialWave initial_wave(const Scene& scene);
 
 // What is allowed but probably not meant, one line each.
 std::vector<std::string> scene_warnings(const Scene& scene);

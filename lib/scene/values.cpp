@@ -23,6 +23,8 @@ constexpr std::array enum_names<Softening>{"paper", "crack_band"};
 template <>
 constexpr std::array enum_names<HardeningLimit>{"start", "none"};
 template <>
+constexpr std::array enum_names<analysis::WaveKind>{"standing", "solitary"};
+template <>
 constexpr std::array enum_names<Precision>{"float", "double"};
 
 template <class Enum>

@@ -160,8 +160,8 @@ TEST_CASE("a key of an effect that is not named is an error") {
 TEST_CASE("an unknown effect is told with the nearest known one") {
     CHECK(set_problem("effects=[\"watter\", \"rigid\"]") ==
           "unknown effect \"watter\"; did you mean \"water\"?");
-    CHECK(set_problem("effects=[\"lava\"]") ==
-          "unknown effect \"lava\"; known are water, rigid, ice, fracture, shelf, push, outlet "
+    CHECK(set_problem("effects=[\"magma\"]") ==
+          "unknown effect \"magma\"; known are water, wave, rigid, ice, fracture, shelf, push, outlet "
           "and settle");
 }
 
