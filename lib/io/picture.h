@@ -28,8 +28,8 @@ struct PictureSettings {
     double greatest_speed = 1.0;    // m/s, the colour scale's upper end, > 0
     double time = 0.0;              // s
     std::string title;
-    std::vector<double> gauges;  // x, m
-    int width = 1600;            // pixels, at least 400; the height follows from the tank
+    std::vector<std::array<double, 2>> gauges;  // (x, y), m; y is not read in 2D
+    int width = 1600;                           // pixels, at least 400; the height follows from the tank
 };
 
 // Water is coloured by its speed, ice by its damage, rigid blocks by their own colour; both have a dark

@@ -349,29 +349,51 @@ void check_softening(Reading& reading) {
     }
 }
 
-// Reports the numbers of the list that are greater than `most`: "<rule> <most> <unit>: <numbers>".
-void check_list(Reading& reading, const char* key, const std::vector<double>& list, double most,
-                const char* unit, const std::string& rule) {
-    std::string outside;
-    for (const double number : list) {
-        if (number > most) outside += (outside.empty() ? "" : ", ") + number_text(number);
+// Each point needs one of these counts of coordinates, which `what` names, within the tank. `axes`: which
+// ones they are.
+void check_points(Reading& reading, const char* key, const Points& points, std::size_t least,
+                  std::size_t most, const std::vector<std::size_t>& axes, const std::string& what) {
+    const Scene& scene = reading.scene;
+    std::string outside, wrong;
+    std::size_t beyond = 0;  // the axis of the first that is outside
+    for (const auto& point : points) {
+        if (point.size() < least || point.size() > most) {
+            wrong += (wrong.empty() ? "" : ", ") + list_text(std::span(&point, 1));
+            continue;
+        }
+        for (std::size_t i = 0; i < point.size(); ++i) {
+            if (point[i] <= scene.domain.size[axes[i]]) continue;
+            if (outside.empty()) beyond = axes[i];
+            const std::string text = list_text(std::span(&point, 1));
+            outside += (outside.empty() ? "" : ", ") + text.substr(1, text.size() - 2);
+            break;
+        }
     }
+    if (!wrong.empty()) reading.report(key, "each needs " + what + "; wrong: " + wrong);
     if (outside.empty()) return;
-    reading.report(key,
-                   rule + " " + number_text(most) + " " + unit + ": " + outside + "; move or remove what is");
+    reading.report(key, std::string("outside the tank, which ends at ") + axis_name(beyond, scene.dimension) +
+                            " = " + number_text(scene.domain.size[beyond]) + " m: " + outside +
+                            "; move or remove what is");
 }
 
 void check_gauges(Reading& reading) {
     if (!reading.usable({"dimension", "domain.size"})) return;
     const Scene& scene = reading.scene;
-    const double end = scene.domain.size.front();
-    const char* rule = "outside the tank, which ends at x =";
-    if (reading.usable({"simulate.gauges"})) {
-        check_list(reading, "simulate.gauges", scene.simulate.gauges, end, "m", rule);
-    }
-    if (reading.usable({"postprocess.gauges"})) {
-        check_list(reading, "postprocess.gauges", scene.postprocess.gauges, end, "m", rule);
-    }
+    const bool flat = scene.dimension == 2;
+    const auto check = [&](const char* key, const Points& gauges) {
+        if (!reading.usable({key})) return;
+        check_points(reading, key, gauges, 1, flat ? 1 : 2, {0, 1}, flat ? "its x" : "its x, or [x, y]");
+    };
+    check("simulate.gauges", scene.simulate.gauges);
+    check("postprocess.gauges", scene.postprocess.gauges);
+    if (!reading.usable({"simulate.pressure_gauges"}) || scene.simulate.pressure_gauges.empty()) return;
+    const std::size_t count = flat ? 2 : 3;
+    check_points(reading, "simulate.pressure_gauges", scene.simulate.pressure_gauges, count, count, {0, 1, 2},
+                 flat ? "[x, z]" : "[x, y, z]");
+    if (reading.usable({"effects"}) && !scene.has("water"))
+        reading.report("simulate.pressure_gauges",
+                       "measure water, and effects does not name \"water\"; add it "
+                       "or remove the gauges");
 }
 
 void check_times(Reading& reading) {

@@ -17,6 +17,7 @@
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
 #include "mpm/water.h"
+#include "scene/toml_document.h"
 
 namespace tidewater::scene {
 
@@ -106,14 +107,15 @@ struct Scene {
         double end_time = 0.0;           // s
         double snapshot_interval = 0.0;  // s
         double gauge_interval = 0.01;    // s, between rows of gauges.csv and ledger.csv
-        std::vector<double> gauges;      // x of each gauge, m; in 3D on the middle of the tank's width
+        Points gauges;           // (x), in 3D also (x, y), of each gauge, m; (x): the middle of the width
+        Points pressure_gauges;  // (x, z), in 3D (x, y, z), m
         Precision precision = Precision::single_precision;
         double cfl = 0.5;
         double checkpoint_interval = 300.0;  // s of wall time; 0: only when stopped
     } simulate;
 
     struct Postprocess {
-        std::vector<double> gauges;         // further gauges, read from the snapshots; x, m
+        Points gauges;                      // further gauges, read from the snapshots
         std::vector<double> picture_times;  // s; empty: five, evenly spread
         int picture_width = 1600;           // pixels
         double picture_speed = 0.0;         // m/s, the colour scale's upper end; 0: the run's own

@@ -316,3 +316,18 @@ simulate.snapshot_interval = 0.1
                   {"effects=[\"water\", \"rigid\", \"wave\"]", "wave.height=0.1", "wave.length=32"})
               .find("names \"wave\" and \"rigid\"") != std::string::npos);
 }
+
+TEST_CASE("gauges have the coordinates that their dimension needs, inside the tank") {
+    CHECK(set_problem("simulate.gauges=[2, 17, 18]") ==
+          "outside the tank, which ends at x = 16 m: 17, 18; move or remove what is");
+    CHECK(set_problem("simulate.gauges=[[2, 0.5]]") == "each needs its x; wrong: [[2, 0.5]]");
+    CHECK(set_problem("simulate.pressure_gauges=[[2, 0.5], [3]]") == "each needs [x, z]; wrong: [3]");
+    CHECK(set_problem("simulate.pressure_gauges=[[2, 0.5], [3, 1.5]]") ==
+          "outside the tank, which ends at z = 1 m: [3, 1.5]; move or remove what is");
+    CHECK(set_problem("simulate.pressure_gauges=[[2, -0.5]]") ==
+          "-0.5 m is out of range; it must be at least 0 m");
+    CHECK(problem(water_scene_3d, {"simulate.gauges=[[2, 2.5]]"}).find("ends at y = 2 m: [2, 2.5]") !=
+          std::string::npos);
+    CHECK(problem(water_scene_3d, {"simulate.pressure_gauges=[[2, 0.5]]"}).find("each needs [x, y, z]") !=
+          std::string::npos);
+}
