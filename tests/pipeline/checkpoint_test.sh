@@ -10,7 +10,7 @@ export LC_ALL=C # for the point in EPOCHREALTIME
 checkpoint=cut/simulate/checkpoint.h5
 
 # A few seconds of a block in water; a checkpoint at every turn.
-options=(--set simulate.end_time=6 --set simulate.checkpoint_interval=0.02 --threads 2)
+options=(--set simulate.end_time=6 --set simulate.pressure_gauges=[[1,0],[2,0.25]] --set simulate.checkpoint_interval=0.02 --threads 2)
 # simulate FOLDER [OPTION...]
 simulate() { run "$bin/tidewater-simulate" tiny.toml --run "$1" "${options[@]}" "${@:2}"; }
 # in_background [OPTION...] begins or goes on with the run in cut; $process is its number.
