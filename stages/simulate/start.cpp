@@ -58,8 +58,9 @@ void check_made_for(const scene::Scene& scene, const openvdb::FloatGrid& grid,
 }
 
 // So that a wave's surface is no staircase of lattice rows, the lattice of the still water is put where the
-// wave displaces it to. Its columns end at the right wall: their spacing differs from the lattice's by less
-// than half a column in all of them.
+// wave displaces it to: a lattice cut off at the surface starts up to 9 mm off a wave of 5 cm with cells of 4
+// cm, this one by less than 0.05 mm. Its columns end at the right wall: their spacing differs from the
+// lattice's by less than half a column in all of them.
 void displace_lattice(const analysis::InitialWave& wave, double length, geometry::Seeding& seeding) {
     const double added = analysis::elevated_area(wave, length) / wave.depth;
     const double columns = (length + added) * seeding.per_axis / seeding.cell_size;
