@@ -4,6 +4,7 @@
 // Δx C = 4 Σ w u (x_i − x_p)ᵀ/Δx, as the next step will read them.
 #pragma once
 
+#include "mpm/mirror.h"
 #include "mpm/particles.h"
 #include "mpm/transfer.h"
 
@@ -20,7 +21,7 @@ void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& partic
         if (particles.begin[slot] == particles.begin[slot + 1]) return;
         const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
         Tile<D, Real> tile;
-        load_tile(grid, grid.nodes, slot, tile.data());
+        load_velocities(grid, slot, tile.data());
         for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
             Vector<D, Real> velocity;
             Matrix<D, Real> gradient;

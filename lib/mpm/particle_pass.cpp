@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mpm/ice_lane.h"
+#include "mpm/mirror.h"
 #include "mpm/transfer_batch.h"
 
 namespace tidewater::mpm {
@@ -136,10 +137,10 @@ PassContext<D, Real>::PassContext(const Simulation<D, Real>& s, double next_dt)
       time(static_cast<Real>(s.time + s.dt)) {}
 
 template <int D, class Real>
-PassResult pass_over_block(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
-                           Simulation<D, Real>& s) {
+PassResult<D> pass_over_block(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
+                              Simulation<D, Real>& s) {
     Strips<D, Real> strips{};
-    PassResult result;
+    PassResult<D> result;
     for (auto& particles : s.bodies) {
         if (particles.begin[slot] == particles.begin[slot + 1]) continue;
         switch (particles.material) {
@@ -162,21 +163,22 @@ PassResult pass_over_block(const PassContext<D, Real>& step, std::size_t slot, c
     Node<Real>* to = s.grid.tile(slot);
     sum_strips<D, Real>(strips, to->data());
     std::fill(to + Block<D>::tile_nodes, to + Block<D>::tile_size, Node<Real>::Zero());
+    const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
     std::size_t next_rigid = 0;
     for (auto& particles : s.bodies) {
         if (particles.material != Material::rigid) continue;
         const RigidBody& body = s.rigid[next_rigid++];
         if (particles.begin[slot] == particles.begin[slot + 1]) continue;
-        const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
         scatter_rigid<D, Real>(s.grid.layout, body, block, slot, particles, to);
     }
+    result.impulse = fold<D, Real>(s.grid.layout, block, Parity::velocity, to);
     return result;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                               \
-    template struct PassContext<D, Real>;                                                            \
-    template PassResult pass_over_block(const PassContext<D, Real>&, std::size_t, const Node<Real>*, \
-                                        Simulation<D, Real>&);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                  \
+    template struct PassContext<D, Real>;                                                               \
+    template PassResult<D> pass_over_block(const PassContext<D, Real>&, std::size_t, const Node<Real>*, \
+                                           Simulation<D, Real>&);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)
 TIDEWATER_INSTANTIATE(3, float)

@@ -57,6 +57,7 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
             }
             first_id += static_cast<std::uint32_t>(particles.size());
         }
+        fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]), Parity::velocity, tile);
     });
     std::vector<double> greatest(s.grid.node_blocks.size(), 0.0);
     parallel_for(greatest.size(), [&](std::size_t slot) {
@@ -81,7 +82,7 @@ template <int D, class Real>
 Simulation<D, Real> make_simulation(const Start<D>& start) {
     Simulation<D, Real> s;
     s.parameters = start.parameters;
-    s.grid.layout = Layout<D>{start.cell_size, start.cells};
+    s.grid.layout = Layout<D>{start.cell_size, start.cells, mirrors_of(start.parameters.boundaries)};
     std::vector<const typename Start<D>::Body*> bodies;
     std::vector<std::span<const Vector<D, double>>> points;
     double least_j = 0.0;
