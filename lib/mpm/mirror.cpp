@@ -38,7 +38,7 @@ void for_each_pair(const Pane& pane, const Visit& visit) {
 template <class Real>
 Node<Real> signs(const Pane& pane, Parity parity) {
     Node<Real> s = Node<Real>::Ones();
-    if (parity == Parity::scalar) return s;
+    if (parity == Parity::even) return s;
     if (pane.mirror == Mirror::stick) s.template head<mass_lane>() = Real(-1);
     s[pane.axis] = Real(-1);
     return s;
@@ -71,7 +71,7 @@ Vector<D, double> fold(const Layout<D>& layout, const Index<D>& block, Parity pa
             tile[image] += reflected;
             impulse += in_double<D, Real>(reflected) - in_double<D, Real>(from);
             from.setZero();
-            from[0] = mass;
+            if (parity == Parity::velocity) from[0] = mass;
         });
     });
     return impulse;
@@ -86,9 +86,9 @@ void unfold(const Layout<D>& layout, const Index<D>& block, Parity parity, Node<
 }
 
 template <int D, class Real>
-void load_velocities(const Grid<D, Real>& grid, std::size_t slot, Node<Real>* tile) {
+void load_velocities(const Grid<D, Real>& grid, std::size_t slot, Parity parity, Node<Real>* tile) {
     load_tile(grid, grid.nodes, slot, tile);
-    unfold<D, Real>(grid.layout, block_at<D>(grid.particle_blocks[slot]), Parity::velocity, tile);
+    unfold<D, Real>(grid.layout, block_at<D>(grid.particle_blocks[slot]), parity, tile);
 }
 
 template <int D, class Real>
@@ -109,7 +109,7 @@ Vector<D, double> unfolding_impulse(const Layout<D>& layout, const Index<D>& blo
 #define TIDEWATER_INSTANTIATE(D, Real)                                                                \
     template Vector<D, double> fold<D, Real>(const Layout<D>&, const Index<D>&, Parity, Node<Real>*); \
     template void unfold<D, Real>(const Layout<D>&, const Index<D>&, Parity, Node<Real>*);            \
-    template void load_velocities(const Grid<D, Real>&, std::size_t, Node<Real>*);                    \
+    template void load_velocities(const Grid<D, Real>&, std::size_t, Parity, Node<Real>*);            \
     template Vector<D, double> unfolding_impulse<D, Real>(const Layout<D>&, const Index<D>&,          \
                                                           const Node<Real>*, Node<Real>*);
 TIDEWATER_INSTANTIATE(2, float)

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mpm/ice_lane.h"
-#include "mpm/mirror.h"
+#include "mpm/motion.h"
 #include "mpm/transfer_batch.h"
 
 namespace tidewater::mpm {
@@ -125,6 +125,23 @@ struct IceUpdate {
     Real* strain_at(int c) { return particles.strain[static_cast<std::size_t>(c)].data(); }
 };
 
+// Adds the rigid bodies' particles to the block's tile.
+template <int D, class Real>
+void add_rigid(std::size_t slot, const Index<D>& block, Simulation<D, Real>& s) {
+    std::size_t next = 0;
+    for (auto& particles : s.bodies) {
+        if (particles.material != Material::rigid) continue;
+        const RigidBody& body = s.rigid[next++];
+        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
+        Tile<D, Real> own;
+        own.fill(Node<Real>::Zero());
+        scatter_rigid<D, Real>(s.grid.layout, body, block, slot, particles, own.data());
+        fold<D, Real>(s.grid.layout, block, Parity::even, own.data());
+        Node<Real>* to = s.grid.tile(slot);
+        for (std::size_t n = 0; n < own.size(); ++n) to[n] += own[n];
+    }
+}
+
 }  // namespace
 
 template <int D, class Real>
@@ -164,14 +181,8 @@ PassResult<D> pass_over_block(const PassContext<D, Real>& step, std::size_t slot
     sum_strips<D, Real>(strips, to->data());
     std::fill(to + Block<D>::tile_nodes, to + Block<D>::tile_size, Node<Real>::Zero());
     const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
-    std::size_t next_rigid = 0;
-    for (auto& particles : s.bodies) {
-        if (particles.material != Material::rigid) continue;
-        const RigidBody& body = s.rigid[next_rigid++];
-        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
-        scatter_rigid<D, Real>(s.grid.layout, body, block, slot, particles, to);
-    }
     result.impulse = fold<D, Real>(s.grid.layout, block, Parity::velocity, to);
+    add_rigid(slot, block, s);
     return result;
 }
 

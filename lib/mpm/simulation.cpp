@@ -98,7 +98,7 @@ void move_particles(Simulation<D, Real>& s, double next_dt) {
     std::vector<PassResult<D>> results(s.grid.particle_blocks.size());
     parallel_for(results.size(), [&](std::size_t slot) {
         alignas(64) Tile<D, Real> tile;
-        load_velocities(s.grid, slot, tile.data());
+        load_velocities(s.grid, slot, Parity::velocity, tile.data());
         results[slot] = pass_over_block(context, slot, tile.data(), s);
     });
     PassResult<D> all;
@@ -153,7 +153,7 @@ void add_unfolding_impulse(Simulation<D, Real>& s) {
         const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
         if (!has_mirror<D>(s.grid.layout, block)) return;
         Tile<D, Real> tile;
-        load_velocities(s.grid, slot, tile.data());
+        load_velocities(s.grid, slot, Parity::velocity, tile.data());
         of_block[slot] = unfolding_impulse<D, Real>(s.grid.layout, block, tile.data(), s.grid.tile(slot));
     });
     for (const auto& impulse : of_block) s.wall_impulse += impulse;

@@ -46,6 +46,8 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
             const auto& particles = s.bodies[body];
             const auto& velocity = bodies[body]->velocity;
             const auto& gradient = bodies[body]->gradient;
+            Tile<D, Real> own;
+            own.fill(Node<Real>::Zero());
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 const std::size_t point = particles.id[p] - first_id;
                 Vector<D, double> momentum = Vector<D, double>::Zero();
@@ -53,11 +55,13 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
                 if (!velocity.empty()) momentum = particles.mass * velocity[point];
                 if (!gradient.empty()) change = particles.mass * start.cell_size * gradient[point];
                 scatter<D, Real>(local_position(particles, p), static_cast<Real>(particles.mass),
-                                 momentum.template cast<Real>(), change.template cast<Real>(), tile);
+                                 momentum.template cast<Real>(), change.template cast<Real>(), own.data());
             }
+            fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]),
+                          parity_of(particles.material), own.data());
+            for (std::size_t n = 0; n < own.size(); ++n) tile[n] += own[n];
             first_id += static_cast<std::uint32_t>(particles.size());
         }
-        fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]), Parity::velocity, tile);
     });
     std::vector<double> greatest(s.grid.node_blocks.size(), 0.0);
     parallel_for(greatest.size(), [&](std::size_t slot) {

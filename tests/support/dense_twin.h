@@ -148,8 +148,9 @@ struct DenseTwin {
         for (const Particle& p : particles) {
             const Mat q = p.mass * p.c - dt * p.volume * 4 / (dx * dx) * stress(p);
             for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                grid[index(i)].mass += w * p.mass;
-                grid[index(i)].momentum += w * (p.mass * p.v + q * d);
+                Node& node = grid[index(place(p, i))];
+                node.mass += w * p.mass;
+                node.momentum += w * (p.mass * p.v + q * d);
             });
         }
     }
@@ -187,6 +188,19 @@ struct DenseTwin {
         }
     }
 
+    // The node that a particle's node stands for: what of a rigid body reaches just beyond a mirror acts on
+    // the image there, unchanged.
+    Cell place(const Particle& p, Cell node) const {
+        if (material(p) != Material::rigid) return node;
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            const auto& [near, far] = start.parameters.boundaries.walls[axis];
+            const int last = start.cells[axis];
+            if (near != mpm::WallRule::separate && node[axis] == -1) node[axis] = 1;
+            if (far != mpm::WallRule::separate && node[axis] == last + 1) node[axis] = last - 1;
+        }
+        return node;
+    }
+
     static void fold(const Vec& sign, Node& beyond, Node& image) {
         image.mass += beyond.mass;
         image.momentum += sign.cwiseProduct(beyond.momentum);
@@ -202,7 +216,7 @@ struct DenseTwin {
             p.v.setZero();
             p.c.setZero();
             for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                const Vec& u = grid[index(i)].momentum;
+                const Vec& u = grid[index(place(p, i))].momentum;
                 p.v += w * u;
                 p.c += 4 / (dx * dx) * w * u * d.transpose();
             });

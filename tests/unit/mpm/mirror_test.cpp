@@ -167,7 +167,7 @@ TEST_CASE("a tile folds and unfolds at the corners of a box as its nodes' images
 TEST_CASE("scalars are even about every wall, and tiles away from mirrors stay as they are") {
     const auto layout = mirrored_box<2>({Mirror::slip, Mirror::stick}, 0);
     auto tile = random_tile<2>();
-    unfold<2, double>(layout, {2, 2}, Parity::scalar, tile.data());
+    unfold<2, double>(layout, {2, 2}, Parity::even, tile.data());
     constexpr auto width = static_cast<std::size_t>(Block<2>::tile_width);
     CHECK((tile[0] == tile[2 * width + 2]).all());
     for (const Index<2>& block : {Index<2>{3, 3}, Index<2>{5, 4}}) {
