@@ -95,6 +95,20 @@ double Push::position(double time) const {
     return 0.5 * speed * (time - ramp / std::numbers::pi * std::sin(std::numbers::pi * time / ramp));
 }
 
+template <int D>
+Mirrors<D> mirrors_of(const Boundaries<D>& boundaries) {
+    Mirrors<D> mirrors{};
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (axis == 0 && side == 0 && boundaries.push.exists()) continue;
+            const WallRule rule = boundaries.walls[axis][side];
+            if (rule == WallRule::slip) mirrors[axis][side] = Mirror::slip;
+            if (rule == WallRule::stick) mirrors[axis][side] = Mirror::stick;
+        }
+    }
+    return mirrors;
+}
+
 template <int D, class Real>
 WallAction<D> apply_boundaries(const Layout<D>& layout, const Boundaries<D>& boundaries, double time,
                                const Index<D>& block, Node<Real>* nodes) {
@@ -132,5 +146,7 @@ TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)
 TIDEWATER_INSTANTIATE(3, float)
 TIDEWATER_INSTANTIATE(3, double)
+template Mirrors<2> mirrors_of(const Boundaries<2>&);
+template Mirrors<3> mirrors_of(const Boundaries<3>&);
 
 }  // namespace tidewater::mpm

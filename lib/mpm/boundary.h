@@ -5,8 +5,10 @@
 //     stick     the velocity is zero
 //     separate  as slip, but what moves away from the wall may leave it
 //
-// A rule acts on the grid nodes on the wall's plane and beyond it, so that a particle can come no closer than
-// half a cell beyond the plane. Source: shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
+// A rule acts on the grid nodes on the wall's plane and beyond it. Just beyond a wall of the box that slips
+// or sticks, velocities mirror those inside (mpm/mirror.h), so that particles near it move towards the plane
+// ever slower and do not pass it; beyond `separate` walls, shelf and push one can come half a cell. Source:
+// shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
 #pragma once
 
 #include <array>
@@ -48,6 +50,10 @@ struct Boundaries {
     Shelf shelf;
     Push push;
 };
+
+// The walls that mirror: those that slip or stick and are not replaced by the plane that pushes.
+template <int D>
+Mirrors<D> mirrors_of(const Boundaries<D>& boundaries);
 
 // What they did to the nodes of one block.
 template <int D>
