@@ -30,7 +30,7 @@ double elastic_energy(const Parameters<D>& parameters, const Particles<D, Real>&
     switch (particles.material) {
         case Material::water:
             return particles.volume *
-                   water_energy(static_cast<double>(particles.j[p]), water.bulk_modulus(), water.exponent);
+                   water_energy(static_cast<double>(particles.j[p]), water);
         case Material::ice:
             return particles.volume * ice_energy<D>(parameters.ice, strain_of(particles, p));
         case Material::rigid:

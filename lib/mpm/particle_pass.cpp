@@ -1,7 +1,9 @@
 #include "mpm/particle_pass.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "mpm/crowding.h"
 #include "mpm/ice_lane.h"
 #include "mpm/motion.h"
 #include "mpm/transfer_batch.h"
@@ -35,17 +37,7 @@ void pass_particles(const PassContext<D, Real>& step, std::size_t slot, const No
     }
 }
 
-template <int D, class Real>
-void velocity_to_momentum(Real mass, TransferBatch<D, Real>& batch) {
-    for (auto& column : batch.vector) {
-        for (int p = 0; p < batch_size; ++p) column[p] *= mass;
-    }
-    for (auto& column : batch.gradient) {
-        for (int p = 0; p < batch_size; ++p) column[p] *= mass;
-    }
-}
-
-// J ← J (1 + Δt tr C) and τ = −J p(J) I.
+// J ← J (1 + Δt tr C) + r (1/(1 + ē) − J) and τ = −J p(J) I.
 template <int D, class Real>
 struct WaterUpdate {
     Particles<D, Real>& particles;
@@ -57,17 +49,27 @@ struct WaterUpdate {
         return static_cast<double>(*std::min_element(std::begin(least.value), std::end(least.value)));
     }
 
+    // r (1/(1 + ē) − J); 0 where ē is not known, that is infinite.
+    void make_good_crowding(const Column<Real>& crowding, const Column<Real>& j, Column<Real>& change) const {
+        for (int p = 0; p < batch_size; ++p) {
+            const bool known = crowding[p] < std::numeric_limits<Real>::max();
+            const Real e = known ? crowding[p] : Real(0);
+            change[p] = known ? step.crowding_rate * (-e / (Real(1) + e) - j[p]) : Real(0);
+        }
+    }
+
     void update(std::size_t first, int count, TransferBatch<D, Real>& batch) {
-        Column<Real> j, pressure;
+        Column<Real> j, pressure, made_good{};
         load_column(particles.j.data() + first, count, j);
+        if (step.crowding_rate > Real(0)) make_good_crowding(batch.scalar, j, made_good);
         for (int p = 0; p < batch_size; ++p) {
             Real trace = batch.gradient[0][p];
             for (int axis = 1; axis < D; ++axis) trace += batch.gradient[axis * (D + 1)][p];
-            j[p] += (Real(1) + j[p]) * (step.cells_per_speed * trace);
+            j[p] += (Real(1) + j[p]) * (step.cells_per_speed * trace) + made_good[p];
         }
         store_column(j, count, particles.j.data() + first);
         for (int p = 0; p < batch_size; ++p) least[p] = std::min(least[p], j[p]);
-        water_pressure(j, static_cast<Real>(water.bulk_modulus()), water.exponent, pressure);
+        water_pressure(j, water, pressure);
         velocity_to_momentum(static_cast<Real>(particles.mass), batch);
         const auto factor = static_cast<Real>(step.impulse * particles.volume);
         for (int axis = 0; axis < D; ++axis) {
@@ -148,6 +150,7 @@ template <int D, class Real>
 PassContext<D, Real>::PassContext(const Simulation<D, Real>& s, double next_dt)
     : cells_per_speed(static_cast<Real>(s.dt / s.grid.layout.cell_size)),
       shift(static_cast<Real>(rounding_shift(s.step))),
+      crowding_rate(static_cast<Real>(mpm::crowding_rate(s.parameters, s.grid.layout.cell_size, s.dt))),
       impulse(4.0 * next_dt / s.grid.layout.cell_size),
       ice(s.parameters.ice),
       fracture(s.parameters.ice.fracture && !s.settling.going),

@@ -10,8 +10,6 @@ namespace {
 template <int D, class Real>
 std::vector<Node<Real>> average_on_grid(const Simulation<D, Real>& s) {
     // Volume takes the place of mass and pressure that of one velocity component: P2G then averages it.
-    const auto bulk = static_cast<Real>(s.parameters.water.bulk_modulus());
-    const int exponent = s.parameters.water.exponent;
     std::vector<Node<Real>> tiles(s.grid.tiles.size(), Node<Real>::Zero());
     parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
         Node<Real>* tile = tiles.data() + slot * Block<D>::tile_size;
@@ -20,7 +18,7 @@ std::vector<Node<Real>> average_on_grid(const Simulation<D, Real>& s) {
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 const Real volume = static_cast<Real>(particles.volume) * (Real(1) + particles.j[p]);
                 Vector<D, Real> weighted = Vector<D, Real>::Zero();
-                weighted[0] = volume * water_pressure(particles.j[p], bulk, exponent);
+                weighted[0] = volume * water_pressure(particles.j[p], s.parameters.water);
                 scatter<D, Real>(local_position(particles, p), volume, weighted, Matrix<D, Real>::Zero(),
                                  tile);
             }

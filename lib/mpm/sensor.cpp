@@ -120,14 +120,13 @@ bool sees(const Sensor<D>& sensor, const Vector<D, double>& first_node) {
 template <int D, class Real>
 void collect(const Simulation<D, Real>& s, std::size_t slot, const Vector<D, double>& first_node,
              Sensor<D>& sensor) {
-    const auto bulk = static_cast<Real>(s.parameters.water.bulk_modulus());
     for (const auto& particles : s.bodies) {
         if (particles.material != Material::water) continue;
         for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
             const Vector<D, double> place = first_node + local_position(particles, p);
             if ((place - sensor.at).cwiseAbs().maxCoeff() > reach) continue;
             const double volume = particles.volume * (1.0 + static_cast<double>(particles.j[p]));
-            const Real pressure = water_pressure(particles.j[p], bulk, s.parameters.water.exponent);
+            const Real pressure = water_pressure(particles.j[p], s.parameters.water);
             sensor.add(place, volume, static_cast<double>(pressure));
         }
     }

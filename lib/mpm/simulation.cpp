@@ -8,9 +8,11 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "mpm/binning.h"
+#include "mpm/crowding.h"
 #include "mpm/lift.h"
 #include "mpm/motion.h"
 #include "mpm/particle_pass.h"
+#include "mpm/restore.h"
 #include "mpm/rigid_nodes.h"
 
 namespace tidewater::mpm {
@@ -42,6 +44,7 @@ void sort_if_needed(Simulation<D, Real>& s) {
     if (s.drift + cells > sorting_margin) {
         if (s.parameters.outlet.exists() && !s.settling.going) drain(s);
         sort_into_blocks<D, Real>(s.grid, s.bodies);
+        mark_unknown_fill(s);
         s.drift = 0.0;
     }
     s.drift += cells;
@@ -99,6 +102,7 @@ void move_particles(Simulation<D, Real>& s, double next_dt) {
     parallel_for(results.size(), [&](std::size_t slot) {
         alignas(64) Tile<D, Real> tile;
         load_velocities(s.grid, slot, Parity::velocity, tile.data());
+        if (context.crowding_rate > Real(0)) load_crowding(s, slot, tile.data());
         results[slot] = pass_over_block(context, slot, tile.data(), s);
     });
     PassResult<D> all;
@@ -186,11 +190,20 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
         parallel_for(actions.size(), finish);
     }
     double greatest = 0.0;
-    for (std::size_t slot = 0; slot < actions.size(); ++slot) {
-        if (!std::isfinite(speed2[slot])) fail_at_bad_node(s, slot);
-        greatest = std::max(greatest, speed2[slot]);
-        s.wall_impulse += actions[slot].impulse;
-        s.boundary_work += actions[slot].work;
+    const auto take_actions = [&] {
+        greatest = 0.0;
+        for (std::size_t slot = 0; slot < actions.size(); ++slot) {
+            if (!std::isfinite(speed2[slot])) fail_at_bad_node(s, slot);
+            greatest = std::max(greatest, speed2[slot]);
+            s.wall_impulse += actions[slot].impulse;
+            s.boundary_work += actions[slot].work;
+        }
+    };
+    take_actions();
+    if (s.parameters.transfer == Transfer::restored) {
+        restore_velocities(s);
+        parallel_for(actions.size(), finish);
+        take_actions();
     }
     s.speeds.particle = std::sqrt(greatest);
     add_unfolding_impulse(s);

@@ -29,6 +29,10 @@
 
 namespace tidewater::mpm {
 
+// How velocities go from the nodes to the particles and back: by APIC, or by APIC with what that loses given
+// back (mpm/restore.h).
+enum class Transfer { apic, restored };
+
 template <int D>
 struct Parameters {
     double gravity = 9.81;  // m/s², along the last axis, downward
@@ -37,6 +41,7 @@ struct Parameters {
     IceModel ice;
     Boundaries<D> boundaries;
     Outlet outlet;
+    Transfer transfer = Transfer::apic;  // restored: not with rigid bodies
 };
 
 // The settle phase before time begins (mpm/settle.h).
@@ -69,7 +74,9 @@ struct Simulation {
     long step = 0;
     Speeds speeds;
     double drift = 0.0;  // cells that a particle may have moved since the last sort
-    double push = 0.0;   // cells by which walls moved a rigid body ahead of its particles
+    std::vector<std::uint8_t>
+        unknown_fill;   // [node block][node], not 0: mpm/crowding.h; empty if there is none
+    double push = 0.0;  // cells by which walls moved a rigid body ahead of its particles
 
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that the walls gave since the start
     double gravity_impulse = 0.0;                                // along the last axis, likewise

@@ -6,22 +6,64 @@
 
 #include "core/error.h"
 #include "mpm/binning.h"
+#include "mpm/crowding.h"
 #include "mpm/motion.h"
 
 namespace tidewater::mpm {
 namespace {
 
+// The depth of each point of a body of water below its surface, m.
+template <int D>
+std::vector<double> depths(const typename Start<D>::Body& body) {
+    if (!body.head.empty()) return body.head;
+    std::vector<double> depth;
+    for (const auto& point : body.points) depth.push_back(body.surface - point[D - 1]);
+    return depth;
+}
+
+// Water of the scheme `density` that is compressed by its weight: equal masses lie closer the deeper they
+// are, so that volumes and room agree from the start. The points move within their column, from its bottom to
+// the surface, and the body's mass becomes that of columns so filled. Returns j of each point.
+template <int D>
+std::vector<double> compress(const Start<D>& start, typename Start<D>::Body& body) {
+    const WaterModel& water = start.parameters.water;
+    const double gravity = start.parameters.gravity;
+    std::vector<double> j = depths<D>(body);
+    double denser =
+        0.0;  // mean over the points of the mass of their column over that of water without weight
+    for (std::size_t p = 0; p < j.size(); ++p) {
+        const double depth = std::max(j[p], 0.0);
+        double& z = body.points[p][D - 1];
+        const double column = std::max(z, 0.0) + depth;
+        const double mean = depth > 0.0 ? weighed_depth(column, gravity, water) / column : 1.0;
+        if (depth > 0.0) z += depth - depth_of_weight(mean * depth, gravity, water);
+        j[p] = j_under_weight(mean * depth, gravity, water);
+        denser += mean;
+    }
+    denser /= static_cast<double>(j.size());
+    body.mass *= denser;
+    body.volume *= denser;  // at rest
+    return j;
+}
+
+// j of each point of a body of water, which compress may move.
+template <int D>
+std::vector<double> hydrostatic_columns(const Start<D>& start, typename Start<D>::Body& body) {
+    if (start.parameters.water.scheme == WaterScheme::density) return compress(start, body);
+    std::vector<double> j = depths<D>(body);
+    for (double& h : j) h = hydrostatic_j(h, start.parameters.gravity, start.parameters.water);
+    return j;
+}
+
 // Fills the columns that the material needs, in the order of the points. Returns the least j.
 template <int D, class Real>
-double fill_columns(const Start<D>& start, const typename Start<D>::Body& body,
+double fill_columns(const Start<D>& start, const typename Start<D>::Body& body, const std::vector<double>& j,
                     Particles<D, Real>& particles) {
     double least_j = 0.0;
     if (particles.material == Material::water) {
-        for (std::size_t p = 0; p < body.points.size(); ++p) {
-            const double h = body.head.empty() ? body.surface - body.points[p][D - 1] : body.head[p];
-            const double j = hydrostatic_j(h, start.parameters.gravity, start.parameters.water);
-            particles.j.push_back(static_cast<Real>(j));
-            least_j = std::min(least_j, j);
+        for (const double of_point : j) {
+            particles.j.push_back(static_cast<Real>(of_point));
+            least_j = std::min(least_j, of_point);
         }
     } else if (particles.material == Material::ice) {
         for (auto& column : particles.strain) column.assign(body.points.size(), Real(0));
@@ -83,15 +125,17 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
 }  // namespace
 
 template <int D, class Real>
-Simulation<D, Real> make_simulation(const Start<D>& start) {
+Simulation<D, Real> make_simulation(Start<D> start) {
     Simulation<D, Real> s;
     s.parameters = start.parameters;
     s.grid.layout = Layout<D>{start.cell_size, start.cells, mirrors_of(start.parameters.boundaries)};
     std::vector<const typename Start<D>::Body*> bodies;
     std::vector<std::span<const Vector<D, double>>> points;
     double least_j = 0.0;
-    for (const auto& body : start.bodies) {
+    for (auto& body : start.bodies) {
         if (body.points.empty()) continue;
+        std::vector<double> j;
+        if (body.material == Material::water) j = hydrostatic_columns(start, body);
         bodies.push_back(&body);
         points.emplace_back(body.points);
         Particles<D, Real>& particles = s.bodies.emplace_back();
@@ -99,19 +143,20 @@ Simulation<D, Real> make_simulation(const Start<D>& start) {
         particles.material = body.material;
         particles.mass = body.mass / count;
         particles.volume = body.volume / count;
-        least_j = std::min(least_j, fill_columns(start, body, particles));
+        least_j = std::min(least_j, fill_columns(start, body, j, particles));
         if (body.material == Material::rigid) {
             s.rigid.push_back(make_rigid_body(body.points, start.cell_size, particles));
         }
     }
     update_sound(s, least_j);
     place<D, Real>(points, s.grid, s.bodies);
+    mark_unknown_fill(s);
     scatter_start(start, bodies, s);
     update_rigid(s);
     return s;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real) template Simulation<D, Real> make_simulation(const Start<D>&);
+#define TIDEWATER_INSTANTIATE(D, Real) template Simulation<D, Real> make_simulation(Start<D>);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)
 TIDEWATER_INSTANTIATE(3, float)

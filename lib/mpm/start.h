@@ -24,8 +24,11 @@ struct Start {
     std::vector<Body> bodies;  // bodies without points are left out
 };
 
-// Time 0, s.dt = 0, velocities as given. Throws NumericsError if a point lies outside of the box.
+// Time 0, s.dt = 0, velocities as given. Water of the scheme `density` is compressed by its weight: its
+// points move by up to 1/8 of the compression at its bottom (1 % at c0 = 10 √(gD)) times its depth within
+// their column, from its bottom at z = 0 to the surface, and its mass is that of columns so filled
+// (mpm/water.h). Throws NumericsError if a point lies outside of the box.
 template <int D, class Real>
-Simulation<D, Real> make_simulation(const Start<D>& start);
+Simulation<D, Real> make_simulation(Start<D> start);
 
 }  // namespace tidewater::mpm

@@ -28,6 +28,7 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("speeds.sound", s.speeds.sound);
     visit("drift", s.drift);
     visit("push", s.push);
+    visit("unknown_fill", s.unknown_fill);
     visit("wall_impulse", s.wall_impulse);
     visit("gravity_impulse", s.gravity_impulse);
     visit("boundary_work", s.boundary_work);

@@ -43,14 +43,16 @@ void to_quads(Column<Real>* quads, const Fill& fill) {
     }
 }
 
-// The first D numbers of each quad into D columns that lie `stride` columns apart.
+// The first D numbers of each quad into D columns that lie `stride` columns apart, and the last one into
+// `last` if that is not null.
 template <int D, class Real>
-void from_quads(const Column<Real>* quads, Column<Real>* columns, int stride) {
+void from_quads(const Column<Real>* quads, Column<Real>* columns, int stride, Column<Real>* last = nullptr) {
     for (int p = 0; p < batch_size; p += lanes) {
         Row<Real> row[4];
         for (int n = 0; n < 4; ++n) row[n] = load_row<Real>(quads->value + 4 * p + lanes * n);
         transpose<Real>(row[0], row[1], row[2], row[3]);
         for (int c = 0; c < D; ++c) store(row[c], columns[c * stride].value + p);
+        if (last != nullptr) store(row[mass_lane], last->value + p);
     }
 }
 
@@ -153,7 +155,7 @@ void gather_batch(const Real* tile, TransferBatch<D, Real>& b) {
         store(sums.value, b.quads[0]->value + place);
         for (int axis = 0; axis < D; ++axis) store(sums.along[axis], b.quads[axis + 1]->value + place);
     }
-    from_quads<D>(b.quads[0], b.vector, 1);
+    from_quads<D>(b.quads[0], b.vector, 1, &b.scalar);
     for (int axis = 0; axis < D; ++axis) from_quads<D>(b.quads[axis + 1], b.gradient + axis, D);
     for (int c = 0; c < D; ++c) {
         for (int axis = 0; axis < D; ++axis) {

@@ -35,6 +35,7 @@ struct TransferBatch {
     StencilBatch<D, Real> stencil;
     Column<Real> vector[D];        // v, m/s; for scatter_batch P, kg m/s
     Column<Real> gradient[D * D];  // Δx C, row by row; for scatter_batch G
+    Column<Real> scalar;           // Σ w of what the tile has in the mass lane
     Column<Real> quads[D + 1][4];  // scratch
 };
 
@@ -42,9 +43,21 @@ struct TransferBatch {
 template <int D, class Real>
 void locate(const Column<Stored<Real>>* position, StencilBatch<D, Real>& stencil);
 
-// Reads velocity and gradient of a whole batch from a tile of Block<D>::tile_size nodes.
+// Reads velocity, gradient and the scalar of a whole batch from a tile of Block<D>::tile_size nodes.
 template <int D, class Real>
 void gather_batch(const Real* tile, TransferBatch<D, Real>& batch);
+
+// Velocities (m/s) and their gradients of a batch of particles, each of `mass` kg, as momenta for
+// scatter_batch.
+template <int D, class Real>
+inline void velocity_to_momentum(Real mass, TransferBatch<D, Real>& batch) {
+    for (auto& column : batch.vector) {
+        for (int p = 0; p < batch_size; ++p) column[p] *= mass;
+    }
+    for (auto& column : batch.gradient) {
+        for (int p = 0; p < batch_size; ++p) column[p] *= mass;
+    }
+}
 
 // Where scatter_batch adds: for each row of nodes along the last axis and each node z at which a particle's
 // three may begin, a strip of four nodes, z … z + 3, of which the last stays zero. Strips begin at cache

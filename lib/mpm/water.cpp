@@ -1,6 +1,27 @@
 #include "mpm/water.h"
 
+#include <algorithm>
+
 namespace tidewater::mpm {
+
+double weighed_depth(double h, double gravity, const WaterModel& water) {
+    const double per_depth = water.density * gravity / water.bulk_modulus();  // ρw g / κw, 1/m
+    if (h <= 0.0 || per_depth == 0.0) return h;
+    const double power = 1.0 - 1.0 / water.exponent;
+    return std::expm1(std::log1p(power * per_depth * h) / power) / per_depth;
+}
+
+double depth_of_weight(double mass, double gravity, const WaterModel& water) {
+    const double per_depth = water.density * gravity / water.bulk_modulus();
+    if (mass <= 0.0 || per_depth == 0.0) return mass;
+    const double power = 1.0 - 1.0 / water.exponent;
+    return std::expm1(power * std::log1p(per_depth * mass)) / (power * per_depth);
+}
+
+double j_under_weight(double mass, double gravity, const WaterModel& water) {
+    const double per_depth = water.density * gravity / water.bulk_modulus();
+    return std::expm1(-std::log1p(per_depth * std::max(mass, 0.0)) / water.exponent);
+}
 
 double hydrostatic_j(double h, double gravity, const WaterModel& water) {
     if (h <= 0.0) return 0.0;

@@ -244,6 +244,11 @@ void check_companions(Reading& reading) {
             std::string("names \"rigid\" and \"") + ground +
                 "\": a rigid block knows only water and the tank's walls so far; remove one of them");
     }
+    if (reading.scene.simulate.transfer == mpm::Transfer::restored && reading.scene.has("rigid")) {
+        reading.report("simulate.transfer",
+                       "\"restored\" does not work beside the effect \"rigid\", whose nodes move as one; use "
+                       "\"apic\"");
+    }
     for (const char* body : {"rigid", "ice", "shelf"}) {
         if (!reading.scene.has("wave") || !reading.scene.has(body)) continue;
         reading.report("effects",

@@ -16,6 +16,7 @@
 #include "analysis/wave_theory.h"
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
+#include "mpm/simulation.h"
 #include "mpm/water.h"
 #include "scene/toml_document.h"
 
@@ -48,7 +49,7 @@ struct Scene {
         double depth = 0.0;         // m, of the still water
         double submergence = -1.0;  // D/H, from which depth follows; negative: depth is given
         double length = 0.0;        // m, from the left wall; 0: the whole tank
-        mpm::WaterModel model;      // water.density, water.sound_speed, water.exponent
+        mpm::WaterModel model;      // water.density, .sound_speed, .exponent, .scheme, .tension
     } water;
 
     struct Wave {  // effect "wave": the water starts as a wave
@@ -111,6 +112,7 @@ struct Scene {
         Points pressure_gauges;  // (x, z), in 3D (x, y, z), m
         Precision precision = Precision::single_precision;
         double cfl = 0.5;
+        mpm::Transfer transfer = mpm::Transfer::apic;
         double checkpoint_interval = 300.0;  // s of wall time; 0: only when stopped
     } simulate;
 

@@ -19,6 +19,12 @@ constexpr std::array enum_names<mpm::Moduli>{"plane_strain", "paper"};
 template <>
 constexpr std::array enum_names<mpm::ShearReturn>{"pressure", "trace"};
 template <>
+constexpr std::array enum_names<mpm::WaterScheme>{"density", "paper"};
+template <>
+constexpr std::array enum_names<mpm::WaterTension>{"separate", "paper"};
+template <>
+constexpr std::array enum_names<mpm::Transfer>{"apic", "restored"};
+template <>
 constexpr std::array enum_names<Softening>{"paper", "crack_band"};
 template <>
 constexpr std::array enum_names<HardeningLimit>{"start", "none"};

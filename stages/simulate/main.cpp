@@ -74,8 +74,9 @@ void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Ch
 // The simulation at t = 0, and the fingerprint of what it was made from.
 template <int D, class Real>
 std::pair<mpm::Simulation<D, Real>, std::string> begin(const StageContext& context) {
-    const auto start = make_start<D>(context.scene, context.run / "geometry" / "geometry.vdb");
-    return {mpm::make_simulation<D, Real>(start), start_fingerprint(start)};
+    auto start = make_start<D>(context.scene, context.run / "geometry" / "geometry.vdb");
+    const std::string fingerprint = start_fingerprint(start);
+    return {mpm::make_simulation<D, Real>(std::move(start)), fingerprint};
 }
 
 template <int D, class Real>

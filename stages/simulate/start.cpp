@@ -104,7 +104,8 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
                         .water = scene.water.model,
                         .ice = ice_model(scene),
                         .boundaries = make_boundaries<D>(scene),
-                        .outlet = make_outlet(scene)};
+                        .outlet = make_outlet(scene),
+                        .transfer = scene.simulate.transfer};
     std::size_t count = 0;
     if (!std::filesystem::exists(file))
         throw InputError(file.string() + ": missing; run tidewater-geometry first");

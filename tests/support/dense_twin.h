@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "mpm/crowding.h"
 #include "mpm/start.h"
 #include "support/dense_ice.h"
 
@@ -48,13 +49,20 @@ struct DenseTwin {
             linear.push_back(Eigen::Vector3d::Zero());
             angular.push_back(Eigen::Vector3d::Zero());
             for (std::size_t n = 0; n < body.points.size(); ++n) {
-                const Vec& x = body.points[n];
-                const bool water = body.material == Material::water;
-                const double depth = body.surface - x[D - 1];
-                const double j =
-                    water ? mpm::hydrostatic_j(depth, start.parameters.gravity, start.parameters.water) : 0.0;
+                Vec x = body.points[n];
+                const mpm::WaterModel& model = start.parameters.water;
+                const double g = start.parameters.gravity, depth = body.surface - x[D - 1];
+                double j = 0.0, denser = 1.0;
+                if (body.material == Material::water && !follows_room()) {
+                    j = mpm::hydrostatic_j(depth, g, model);
+                } else if (body.material == Material::water && body.surface > 0.0) {
+                    denser = mpm::weighed_depth(body.surface, g, model) / body.surface;
+                    x[D - 1] = body.surface - mpm::depth_of_weight(denser * depth, g, model);
+                    j = mpm::j_under_weight(denser * depth, g, model);
+                }
                 particles.push_back(
-                    {b, body.mass / count, body.volume / count, j, start.parameters.ice.initial_alpha(D), x,
+                    {b, denser * body.mass / count, denser * body.volume / count, j,
+                     start.parameters.ice.initial_alpha(D), x,
                      body.velocity.empty() ? Vec::Zero().eval() : body.velocity[n], x - middle,
                      body.gradient.empty() ? Mat::Zero().eval() : body.gradient[n], Mat::Identity()});
             }
@@ -125,12 +133,42 @@ struct DenseTwin {
         gather(dt);
     }
 
+    // Whether J follows the room that particles have (mpm/crowding.h); here only for water between mirrors.
+    bool follows_room() const { return start.parameters.water.scheme == mpm::WaterScheme::density; }
+
+    // By how much more than fits there is water at a node.
+    double crowding(Cell i) const {
+        double full = start.parameters.water.density * std::pow(start.cell_size, D);
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            const int last = start.cells[axis];
+            if (i[axis] < 0) i[axis] = -i[axis];
+            if (i[axis] > last) i[axis] = 2 * last - i[axis];
+            if (i[axis] == 0 || i[axis] == last) full /= 2;
+        }
+        const double fill = grid[index(i)].mass / full;
+        return fill > mpm::least_fill ? fill - 1 : 0;
+    }
+    double smooth_crowding(const Cell& i) const {
+        double sum = 0;
+        for (int k = 0; k < mpm::power(3, D); ++k) {
+            Cell other = i;
+            double share = 1;
+            for (std::size_t axis = 0, rest = static_cast<std::size_t>(k); axis < D; ++axis, rest /= 3) {
+                other[axis] += static_cast<int>(rest % 3) - 1;
+                share *= rest % 3 == 1 ? 0.5 : 0.25;
+            }
+            sum += share * crowding(other);
+        }
+        return sum;
+    }
+
     // τ of a particle, Pa.
     Mat stress(const Particle& p) const {
         const mpm::WaterModel& water = start.parameters.water;
         const double j = 1 + p.j;
         switch (material(p)) {
             case Material::water:
+                if (j > 1 && water.tension == mpm::WaterTension::separate) return Mat::Zero();
                 return -j * water.bulk_modulus() * (std::pow(j, -water.exponent) - 1) * Mat::Identity();
             case Material::ice:
                 return kirchhoff_stress<D>(start.parameters.ice, p.b);
@@ -221,8 +259,15 @@ struct DenseTwin {
                 p.c += 4 / (dx * dx) * w * u * d.transpose();
             });
             if (material(p) == Material::rigid) continue;
+            double made_good = 0;
+            if (material(p) == Material::water && follows_room()) {
+                double e = 0;
+                for_each_node(p.x, [&](const Cell& i, double w, const Vec&) { e += w * smooth_crowding(i); });
+                const double fall = std::sqrt(dx / start.parameters.gravity);
+                made_good = std::min(dt / fall, mpm::greatest_rate) * (1 / (1 + e) - 1 - p.j);
+            }
             p.x += dt * p.v;
-            p.j += (1 + p.j) * dt * p.c.trace();
+            p.j += (1 + p.j) * dt * p.c.trace() + made_good;
             const Mat change = Mat::Identity() + dt * p.c;
             p.b = change * p.b * change.transpose();
             const bool may_fail = material(p) == Material::ice && start.parameters.ice.fracture;

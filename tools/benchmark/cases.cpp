@@ -170,13 +170,30 @@ mpm::Start<3> make_mixed(long particles) {
     return start;
 }
 
-constexpr std::array<Case, 7> all_cases{{{"water2d", 2, "water"},
-                                         {"water3d", 3, "water"},
-                                         {"ice2d", 2, "ice"},
-                                         {"ice3d", 3, "ice"},
-                                         {"elastic2d", 2, "ice"},
-                                         {"elastic3d", 3, "ice"},
-                                         {"mixed3d", 3, "water+ice+rigid"}}};
+// What the names of water's cases choose.
+template <int D>
+mpm::Start<D> make_water(std::string_view name, long particles) {
+    mpm::Start<D> start = make_water<D>(particles);
+    if (name.starts_with("plain")) start.parameters.water.scheme = mpm::WaterScheme::paper;
+    if (name.starts_with("restored")) start.parameters.transfer = mpm::Transfer::restored;
+    return start;
+}
+
+bool is_water(std::string_view name) {
+    return name.starts_with("water") || name.starts_with("plain") || name.starts_with("restored");
+}
+
+constexpr std::array<Case, 11> all_cases{{{"water2d", 2, "water"},
+                                          {"water3d", 3, "water"},
+                                          {"plain2d", 2, "water"},
+                                          {"plain3d", 3, "water"},
+                                          {"restored2d", 2, "water"},
+                                          {"restored3d", 3, "water"},
+                                          {"ice2d", 2, "ice"},
+                                          {"ice3d", 3, "ice"},
+                                          {"elastic2d", 2, "ice"},
+                                          {"elastic3d", 3, "ice"},
+                                          {"mixed3d", 3, "water+ice+rigid"}}};
 
 }  // namespace
 
@@ -184,14 +201,14 @@ std::span<const Case> cases() { return all_cases; }
 
 template <>
 mpm::Start<2> make_scene<2>(std::string_view name, long particles) {
-    if (name == "water2d") return make_water<2>(particles);
+    if (is_water(name)) return make_water<2>(name, particles);
     return make_ice<2>(particles, name == "ice2d");
 }
 
 template <>
 mpm::Start<3> make_scene<3>(std::string_view name, long particles) {
     if (name == "mixed3d") return make_mixed(particles);
-    if (name == "water3d") return make_water<3>(particles);
+    if (is_water(name)) return make_water<3>(name, particles);
     return make_ice<3>(particles, name == "ice3d");
 }
 

@@ -3,6 +3,8 @@
 // spacing.
 //
 //     water2d, water3d   a tank of water that turns over at up to 10 m/s (in 3D along and across)
+//     plain2d, plain3d   the same with the scheme of the paper
+//     restored2d, restored3d   the same with the transfer that loses less
 //     ice2d, ice3d       a slab under gravity that slides at 10 m/s and is shaken lengthwise, its front
 //                        harder than its rear, so that part of it yields and the rest stays elastic
 //     elastic2d, elastic3d   the same without fracture

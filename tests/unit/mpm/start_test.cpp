@@ -91,10 +91,33 @@ TEST_CASE(
     for (const auto& point : water.points) water.head.push_back(0.5 - point[1]);
     CHECK(state_hash(make_simulation<2, double>(start)) == state_hash(plain));
     for (double& head : water.head) head *= 2.0;
+    start.parameters.water.scheme = WaterScheme::paper;
     const auto pressed = make_simulation<2, double>(start);
     const auto& model = start.parameters.water;
     for (std::size_t p = 0; p < pressed.bodies[0].size(); ++p) {
         const double head = water.head[pressed.bodies[0].id[p]];
         CHECK(pressed.bodies[0].j[p] == hydrostatic_j(head, start.parameters.gravity, model));
     }
+}
+
+TEST_CASE("water of the scheme density starts compressed: level, weight and volumes agree") {
+    const double depth = 4.0, c = 10.0 * std::sqrt(9.81 * depth);
+    const auto start = test::tank_start<2>(0.1, {10, 50}, depth, c);
+    const auto s = make_simulation<2, double>(start);
+    const auto& water = s.bodies[0];
+    const double weighed = weighed_depth(depth, 9.81, start.parameters.water);
+    CHECK(weighed / depth == doctest::Approx(1.005).epsilon(2e-4));  // 1 + g D/2c²
+    CHECK(water.mass == doctest::Approx(1000.0 * 0.05 * 0.05 * weighed / depth).epsilon(1e-12));
+    CHECK(water.volume == doctest::Approx(water.mass / 1000.0).epsilon(1e-12));
+    double lowest = depth, highest = 0.0;
+    for_each_particle(s.grid, water, [&](std::size_t, const Index<2>& block, std::size_t p) {
+        const double z = global_position(s.grid.layout, block, water, p)[1];
+        lowest = std::min(lowest, z);
+        highest = std::max(highest, z);
+        const double above = weighed_depth(depth - z, 9.81, start.parameters.water);  // m of water
+        CHECK(water_pressure(water.j[p], start.parameters.water) ==
+              doctest::Approx(9810.0 * above).epsilon(1e-9));
+    });
+    CHECK(lowest == doctest::Approx(0.025).epsilon(0.01));
+    CHECK(highest == doctest::Approx(depth - 0.025).epsilon(1e-4));
 }

@@ -57,3 +57,33 @@ TEST_CASE("hydrostatic water balances J p = ρ g h, and is undeformed above the 
         CHECK(hydrostatic_j(-1.0, 9.81, water) == 0.0);
     }
 }
+
+TEST_CASE("stretched water pulls in the paper's way and opens in ours, with the energy that belongs to it") {
+    WaterModel water;
+    CHECK(water_pressure(0.01, water) == 0.0);
+    CHECK(water_energy(0.01, water) == 0.0);
+    CHECK(water_pressure(-0.01, water) == water_pressure(-0.01, water.bulk_modulus(), water.exponent));
+    CHECK(water_energy(-0.01, water) == water_energy(-0.01, water.bulk_modulus(), water.exponent));
+    water.tension = WaterTension::paper;
+    CHECK(water_pressure(0.01, water) == water_pressure(0.01, water.bulk_modulus(), water.exponent));
+    CHECK(water_energy(0.01, water) > 0.0);
+}
+
+TEST_CASE("a column under its own weight: mass, depth and pressure agree") {
+    for (const double c : {10.0, 31.0, 264.6}) {
+        WaterModel water;
+        water.sound_speed = c;
+        double mass = 0.0;
+        const int steps = 100000;
+        for (int k = 0; k < steps; ++k) {  // ∫ dh/J
+            const double h = 2.0 * (k + 0.5) / steps;
+            mass += 2.0 / steps / (1.0 + j_under_weight(weighed_depth(h, 9.81, water), 9.81, water));
+        }
+        CHECK(weighed_depth(2.0, 9.81, water) == doctest::Approx(mass).epsilon(1e-8));
+        CHECK(depth_of_weight(mass, 9.81, water) == doctest::Approx(2.0).epsilon(1e-8));
+        CHECK(water_pressure(j_under_weight(mass, 9.81, water), water) ==
+              doctest::Approx(9810.0 * mass).epsilon(1e-10));
+    }
+    CHECK(weighed_depth(3.0, 0.0, WaterModel{}) == 3.0);
+    CHECK(j_under_weight(-1.0, 9.81, WaterModel{}) == 0.0);
+}

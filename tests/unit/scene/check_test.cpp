@@ -331,3 +331,10 @@ TEST_CASE("gauges have the coordinates that their dimension needs, inside the ta
     CHECK(problem(water_scene_3d, {"simulate.pressure_gauges=[[2, 0.5]]"}).find("each needs [x, y, z]") !=
           std::string::npos);
 }
+
+TEST_CASE("the restored transfer and a rigid block do not go together") {
+    CHECK(problem(block_scene, {"simulate.transfer=\"restored\""}).find("does not work beside the effect") !=
+          std::string::npos);
+    CHECK(problem(block_scene, {"simulate.transfer=\"apic\"", "water.scheme=\"paper\"",
+                                "water.tension=\"paper\""}) == "");
+}

@@ -1,0 +1,213 @@
+#include "mpm/crowding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/parallel.h"
+
+namespace tidewater::mpm {
+namespace {
+
+// The nodes of a block's tile and one more on each side, of which smoothing needs the neighbours.
+template <int D>
+struct Surround {
+    static constexpr int rim = 2, side = Block<D>::width + 2 * rim + 1;
+    static constexpr int count = power(side, D);
+};
+
+template <int D>
+constexpr int stride_of(int axis) {
+    return power(Surround<D>::side, D - 1 - axis);
+}
+
+// Calls visit(index in the surround, place of the node block among the 3^D, node in it, count) for runs along
+// the last axis.
+template <int D, class Visit>
+void for_each_run(const Visit& visit) {
+    constexpr int rim = Surround<D>::rim, side = Surround<D>::side, width = Block<D>::width;
+    const auto block_of = [](int n) { return n < rim ? 0 : n < rim + width ? 1 : 2; };
+    constexpr int begin[] = {0, rim, rim + width, side};
+    for (int row = 0; row < power(side, D - 1); ++row) {
+        int neighbour = 0, node = 0;
+        for (int axis = 0; axis < D - 1; ++axis) {
+            const int n = row / power(side, D - 2 - axis) % side, block = block_of(n);
+            neighbour = 3 * neighbour + block;
+            node = node * width + n - rim + (1 - block) * width;
+        }
+        for (int block = 0; block < 3; ++block) {
+            visit(row * side + begin[block], 3 * neighbour + block,
+                  node * width + begin[block] - rim + (1 - block) * width, begin[block + 1] - begin[block]);
+        }
+    }
+}
+
+// Along one axis: nodes on a mirroring wall are half in the tank, and what lies beyond is the image of what
+// lies before.
+template <int D, class Real>
+void double_on_walls(const Layout<D>& layout, const Index<D>& block, Real* fill) {
+    constexpr int rim = Surround<D>::rim, side = Surround<D>::side;
+    for (int axis = 0; axis < D; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        for (const std::size_t far : {std::size_t{0}, std::size_t{1}}) {
+            if (layout.mirrors[a][far] == Mirror::none) continue;
+            const int plane = (far ? layout.cells[a] : 0) - layout.first_node(block[a]) + rim;
+            const int inward = far ? -1 : 1, stride = stride_of<D>(axis);
+            if (plane < -rim || plane >= side + rim) continue;
+            for (int start = 0; start < Surround<D>::count; start += stride * side) {
+                for (int n = start; n < start + stride; ++n) {
+                    if (plane >= 0 && plane < side) fill[n + plane * stride] *= Real(2);
+                    for (int beyond = 1; beyond <= rim; ++beyond) {
+                        const int image = plane + inward * beyond, of = plane - inward * beyond;
+                        if (of < 0 || of >= side || image < 0 || image >= side) continue;
+                        fill[n + of * stride] = fill[n + image * stride];
+                    }
+                }
+            }
+        }
+    }
+}
+
+template <int D, class Real>
+void smooth(Real* e) {
+    constexpr int side = Surround<D>::side;
+    for (int axis = 0; axis < D; ++axis) {
+        const int stride = stride_of<D>(axis);
+        for (int start = 0; start < Surround<D>::count; start += stride * side) {
+            for (int n = start; n < start + stride; ++n) {
+                Real before = e[n];
+                for (int k = 1; k < side - 1; ++k) {
+                    Real& here = e[n + k * stride];
+                    const Real sum = Real(0.25) * (before + e[n + (k + 1) * stride]) + Real(0.5) * here;
+                    before = here;
+                    here = sum;
+                }
+            }
+        }
+    }
+}
+
+// Whether a node lies beside something that holds nodes without mirroring them.
+template <int D>
+bool beside_held(const Layout<D>& layout, const Boundaries<D>& boundaries, double time,
+                 const Index<D>& node) {
+    const auto cells = [&](double x) { return x / layout.cell_size + 1.0; };
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        const auto& [near, far] = layout.mirrors[axis];
+        if (near == Mirror::none && node[axis] <= 1) return true;
+        if (far == Mirror::none && node[axis] >= layout.cells[axis] - 1) return true;
+    }
+    const Shelf& shelf = boundaries.shelf;
+    if (shelf.exists() && node[0] <= cells(shelf.end) && node[D - 1] <= cells(shelf.top)) return true;
+    return boundaries.push.exists() && node[0] <= cells(boundaries.push.position(time)) + 1.0;
+}
+
+template <int D, class Real>
+bool all_mirrors_and_water(const Simulation<D, Real>& s) {
+    const Boundaries<D>& boundaries = s.parameters.boundaries;
+    bool known = !boundaries.shelf.exists() && !boundaries.push.exists();
+    for (const auto& axis : s.grid.layout.mirrors) {
+        for (const Mirror mirror : axis) known = known && mirror != Mirror::none;
+    }
+    for (const auto& particles : s.bodies) known = known && particles.material == Material::water;
+    return known;
+}
+
+// Marks the nodes of a block that the solids in block `slot` touch now, or a cell further on.
+template <int D, class Real>
+void mark_solids(const Simulation<D, Real>& s, std::size_t slot, const Index<D>& node_block,
+                 std::uint8_t* marks) {
+    constexpr int reach = 2, width = 2 * reach + 1;
+    const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+    for (const auto& particles : s.bodies) {
+        if (particles.material == Material::water) continue;
+        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+            for (int k = 0; k < power(width, D); ++k) {
+                int node = 0;
+                for (std::size_t axis = 0; axis < D && node >= 0; ++axis) {
+                    const int offset = k / power(width, D - 1 - static_cast<int>(axis)) % width - reach;
+                    const int n = nearest_node(particles.position[axis][p]) + offset +
+                                  (block[axis] - node_block[axis]) * Block<D>::width;
+                    node = n < 0 || n >= Block<D>::width ? -1 : node * Block<D>::width + n;
+                }
+                if (node >= 0) marks[node] = 1;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+template <int D, class Real>
+void mark_unknown_fill(Simulation<D, Real>& s) {
+    s.unknown_fill.clear();
+    if (s.parameters.water.scheme == WaterScheme::paper || all_mirrors_and_water(s)) return;
+    const Grid<D, Real>& grid = s.grid;
+    s.unknown_fill.assign(grid.nodes.size(), 0);
+    parallel_for(grid.node_blocks.size(), [&](std::size_t slot) {
+        const Index<D> block = block_at<D>(grid.node_blocks[slot]);
+        std::uint8_t* marks = s.unknown_fill.data() + slot * Block<D>::nodes;
+        for (int n = 0; n < Block<D>::nodes; ++n) {
+            Index<D> node;
+            for (int axis = D - 1, rest = n; axis >= 0; --axis, rest /= Block<D>::width) {
+                const auto a = static_cast<std::size_t>(axis);
+                node[a] = grid.layout.first_node(block[a]) + rest % Block<D>::width;
+            }
+            marks[n] = beside_held(grid.layout, s.parameters.boundaries, s.time, node);
+        }
+        for (const int tile : grid.tiles_of_node[slot]) {
+            if (tile >= 0) mark_solids(s, static_cast<std::size_t>(tile), block, marks);
+        }
+    });
+}
+
+template <int D>
+double crowding_rate(const Parameters<D>& parameters, double cell_size, double dt) {
+    if (parameters.water.scheme == WaterScheme::paper) return 0.0;
+    return std::min(dt * std::sqrt(parameters.gravity / cell_size), greatest_rate);
+}
+
+template <int D, class Real>
+void load_crowding(const Simulation<D, Real>& s, std::size_t slot, Node<Real>* tile) {
+    constexpr int count = Surround<D>::count;
+    constexpr Real unknown = std::numeric_limits<Real>::infinity();
+    const Grid<D, Real>& grid = s.grid;
+    const auto per_mass =
+        static_cast<Real>(1.0 / (s.parameters.water.density * std::pow(grid.layout.cell_size, D)));
+    alignas(64) Real e[count];
+    for_each_run<D>([&](int to, int neighbour, int node, int length) {
+        const auto block =
+            static_cast<std::size_t>(grid.nodes_of_tile[slot][static_cast<std::size_t>(neighbour)]);
+        const Node<Real>* nodes = grid.block_nodes(block) + node;
+        for (int n = 0; n < length; ++n) e[to + n] = per_mass * nodes[n][mass_lane];
+        if (s.unknown_fill.empty()) return;
+        const std::uint8_t* marks =
+            s.unknown_fill.data() + block * Block<D>::nodes + static_cast<std::size_t>(node);
+        for (int n = 0; n < length; ++n) {
+            if (marks[n]) e[to + n] = unknown;
+        }
+    });
+    double_on_walls<D>(grid.layout, block_at<D>(grid.particle_blocks[slot]), e);
+    for (int n = 0; n < count; ++n) e[n] = e[n] > static_cast<Real>(least_fill) ? e[n] - Real(1) : Real(0);
+    smooth<D>(e);
+    constexpr int side = Surround<D>::side, tile_width = Block<D>::tile_width;
+    for (int row = 0; row < power(tile_width, D - 1); ++row) {
+        int from = 0;
+        for (int axis = 0; axis < D - 1; ++axis) {
+            from = from * side + row / power(tile_width, D - 2 - axis) % tile_width + 1;
+        }
+        for (int n = 0; n < tile_width; ++n) tile[row * tile_width + n][mass_lane] = e[from * side + n + 1];
+    }
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                     \
+    template void mark_unknown_fill(Simulation<D, Real>&); \
+    template void load_crowding(const Simulation<D, Real>&, std::size_t, Node<Real>*);
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
+template double crowding_rate<2>(const Parameters<2>&, double, double);
+template double crowding_rate<3>(const Parameters<3>&, double, double);
+
+}  // namespace tidewater::mpm
