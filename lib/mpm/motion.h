@@ -4,6 +4,9 @@
 // Δx C = 4 Σ w u (x_i − x_p)ᵀ/Δx, as the next step will read them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "mpm/mirror.h"
 #include "mpm/particles.h"
 #include "mpm/transfer.h"
@@ -34,6 +37,23 @@ void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& partic
             visit(slot, block, p, velocity, gradient);
         }
     });
+}
+
+// The greatest √(|v_p|² + ¼ |Δx C_p|²) of a body's particles, m/s. By Bessel's inequality (1 and 2 (x_i −
+// x_p)/Δx are orthonormal under the weights) it is at most √(Σ w |v_i|²), so never above the fastest node's
+// speed, and less by far where that node has but a sliver of a particle's mass. While it stays below Δx/(2Δt)
+// no particle moves half a cell, and |Δt C| < 1: no volume is turned inside out.
+template <int D, class Real>
+double greatest_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
+    std::vector<double> greatest2(grid.particle_blocks.size());
+    for_each_motion(grid, particles,
+                    [&](std::size_t slot, const Index<D>&, std::size_t, const auto& v, const auto& g) {
+                        const auto motion2 = static_cast<double>(v.squaredNorm() + g.squaredNorm() / Real(4));
+                        greatest2[slot] = std::max(greatest2[slot], motion2);
+                    });
+    double most2 = 0.0;
+    for (const double motion2 : greatest2) most2 = std::max(most2, motion2);
+    return std::sqrt(most2);
 }
 
 }  // namespace tidewater::mpm

@@ -15,7 +15,8 @@
 //
 // Time step: Δt = cfl Δx / (greatest sound speed + greatest speed of a node), and at most so that what moves
 // and falls moves 0.4 cells. An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D
-// (shared/physics.md §4).
+// (shared/physics.md §4). Forces may make something faster within that step: advance refuses only what would
+// carry a particle beyond sorting_margin or turn its volume inside out (greatest_motion in mpm/motion.h).
 #pragma once
 
 #include <array>
@@ -94,7 +95,7 @@ double stable_time_step(const Simulation<D, Real>& simulation);
 
 // Advances by s.dt and gives the velocities the forces of a step of next_dt, which becomes s.dt. Throws
 // NumericsError naming step, phase and particle when a value is not finite, a volume collapses (J ≤ 0), a
-// particle leaves the box or moves more than half a cell in one step.
+// particle leaves the box or moves half a cell in one step, its affine motion counted.
 template <int D, class Real>
 void advance(Simulation<D, Real>& simulation, double next_dt);
 

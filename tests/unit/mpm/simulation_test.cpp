@@ -3,17 +3,38 @@
 #include <doctest/doctest.h>
 
 #include <initializer_list>
-
 #include <limits>
+#include <utility>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "mpm/ledger.h"
+#include "mpm/motion.h"
 #include "mpm/pressure.h"
-#include "support/energy.h"
-#include "support/tank.h"
+#include "support/box.h"
+#include "support/mixed_tank.h"
 
 using namespace tidewater;
 using namespace tidewater::mpm;
+
+namespace {
+
+// One particle of ice amid cells of 1 m, almost halfway between two nodes along x, along which it moves and
+// is strained at these rates (m/s, 1/s). The node 1.49 cells off has 5e-5 of its mass.
+template <int D>
+Start<D> lone_particle(double speed, double rate) {
+    auto start = test::long_ice_box<D>(20, 20);
+    const Vector<D, double> along = Vector<D, double>::Unit(0);
+    auto& body = start.bodies.emplace_back();
+    body.material = Material::ice;
+    body.points = {Vector<D, double>::Constant(10.0) + 0.49 * along};
+    body.volume = 1.0;
+    body.mass = start.parameters.ice.density;
+    test::set_motion<D>(body.points[0], speed * along, rate * along * along.transpose(), body);
+    return start;
+}
+
+}  // namespace
 
 TEST_CASE_TEMPLATE("mass is exact and the momentum ledger closes to rounding", Dimension,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
@@ -113,6 +134,42 @@ TEST_CASE("a step that moves something by more than half a cell is refused") {
     auto s = make_simulation<2, float>(test::tank_start<2>(0.1, {10, 10}, 0.5, 10.0));
     advance(s, 1.0);  // falls to 9.81 m/s
     CHECK_THROWS_WITH_AS(advance(s, 1e-3), doctest::Contains("cells in one step"), NumericsError);
+}
+
+TEST_CASE_TEMPLATE("a node with a sliver of a particle's mass may outrun the step, the particle may not",
+                   Engine, TIDEWATER_ENGINES) {
+    const auto run = [](double cells, double strain) {
+        auto s = make_simulation<Engine::D, typename Engine::Real>(lone_particle<Engine::D>(cells, strain));
+        const double start = test::read_state(s).x[0][0], speed = s.speeds.particle;
+        for (int n = 0; n < 2; ++n) advance(s, 1.0);  // the first of them moves nothing
+        CHECK(test::read_state(s).x[0][0] - start == doctest::Approx(cells).epsilon(1e-5));
+        return speed;
+    };
+    CHECK(run(0.3, -0.6) > 1.1);
+    CHECK(run(0.0, 0.96) > 1.4);
+    for (const auto& [cells, strain] : {std::pair(0.5, 0.0), std::pair(0.0, -1.02), std::pair(0.3, 0.9)})
+        CHECK_THROWS_WITH_AS(run(cells, strain), doctest::Contains("cells in one step"), NumericsError);
+}
+
+TEST_CASE_TEMPLATE("no particle's motion, its affine part counted, exceeds that of the fastest node", Engine,
+                   TIDEWATER_ENGINES) {
+    constexpr int D = Engine::D;
+    auto start = test::mixed_tank<D>();
+    for (auto& body : start.bodies) {
+        body.velocity.clear();
+        for (std::size_t n = 0; n < body.points.size(); ++n) {
+            body.velocity.emplace_back();
+            for (int axis = 0; axis < D; ++axis)
+                body.velocity[n][axis] = random_uniform(9, static_cast<std::uint64_t>(axis), n) - 0.5;
+        }
+    }
+    const auto s = make_simulation<D, typename Engine::Real>(start);
+    for (const auto& particles : s.bodies) {
+        if (particles.material == Material::rigid) continue;
+        const double motion = greatest_motion(s.grid, particles);
+        CHECK(motion > 0.1);
+        CHECK(motion <= s.speeds.particle);
+    }
 }
 
 TEST_CASE("still water stays at its level for a second and comes to rest") {
