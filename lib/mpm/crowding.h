@@ -30,6 +30,9 @@ namespace tidewater::mpm {
 
 inline constexpr double least_fill = 0.85;
 inline constexpr double greatest_rate = 0.02;  // of J per step
+// And J shrinks by a fifth in one step at most: only a lone particle, in a splash or a film upon a wall, is
+// told to shrink faster by the far nodes that it alone moves, to J ≤ 0 even. Its J follows its room later.
+inline constexpr double least_growth = -0.2;
 
 // r of a step of dt; 0 for the scheme `paper` and without gravity.
 template <int D>

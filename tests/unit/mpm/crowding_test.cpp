@@ -124,3 +124,25 @@ TEST_CASE("disordered water comes to rest and its own pressures agree with its d
     CHECK(ours < 0.15);
     CHECK(ours < 0.6 * papers);
 }
+
+TEST_CASE("a lone particle that is told to shrink to nothing shrinks by a fifth, the paper's stops the run") {
+    const auto j_after = [](WaterScheme scheme) {
+        Start<2> start;
+        start.cell_size = 1.0;
+        start.cells = {20, 20};
+        start.parameters.gravity = 0.0;
+        start.parameters.water.scheme = scheme;
+        auto& body = start.bodies.emplace_back();
+        body.points = {{10.3, 10.2}};
+        body.velocity = {{0.0, 0.0}};
+        body.gradient = {Matrix<2, double>::Identity() * -0.6};
+        body.mass = 250.0;
+        body.volume = 0.25;
+        auto s = make_simulation<2, float>(start);
+        advance(s, 1.0);
+        advance(s, 1e-3);
+        return s.bodies[0].j[0];
+    };
+    CHECK(j_after(WaterScheme::density) == doctest::Approx(-0.2));
+    CHECK_THROWS(j_after(WaterScheme::paper));
+}
