@@ -29,6 +29,8 @@ struct PictureSettings {
     double time = 0.0;              // s
     std::string title;
     std::vector<double> gauges;  // x, m
+    // Corners of the ground, m; x rises, level beyond the ends, for all y; drawn in 2D. Empty: none.
+    std::vector<double> ground_x, ground_z;
     int width = 1600;            // pixels, at least 400; the height follows from the tank
 };
 

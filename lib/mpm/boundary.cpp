@@ -62,7 +62,7 @@ template <int D, class Real>
 void apply_walls(const Layout<D>& layout, const Limits<D>& limits, const Index<D>& node,
                  Node<Real>& velocity) {
     for (std::size_t axis = 0; axis < D; ++axis) {
-        const bool replaced = axis == 0 && limits.of.push.exists();
+        const bool replaced = axis == 0 && (limits.of.push.exists() || limits.of.piston.exists());
         const auto& [near, far] = limits.of.walls[axis];
         if (node[axis] <= 0 && !replaced) apply_rule<D>(near, static_cast<int>(axis), -1, velocity);
         if (node[axis] >= layout.cells[axis]) apply_rule<D>(far, static_cast<int>(axis), 1, velocity);

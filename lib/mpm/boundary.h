@@ -1,21 +1,17 @@
-// What holds or moves the nodes at the edges of a scene: the walls of its box, a shelf in it, and a plane
-// that pushes from the left.
-//
-//     slip      the velocity into or out of the wall is zero, along it free
-//     stick     the velocity is zero
-//     separate  as slip, but what moves away from the wall may leave it
-//
-// A rule acts on the grid nodes on the wall's plane and beyond it, so that a particle can come no closer than
-// half a cell beyond the plane. Source: shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
+// What holds or moves the nodes at the edges of a scene: the walls of its box, a shelf in it, a plane that
+// pushes from the left; and what has its own files, a bed, a piston and a sponge. A rule (mpm/wall.h) acts on
+// the grid nodes on the wall's plane and beyond it, so that a particle can come no closer than half a cell
+// beyond the plane. Source: shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
 #pragma once
 
 #include <array>
 
-#include "mpm/grid.h"
+#include "mpm/bed.h"
+#include "mpm/piston.h"
+#include "mpm/sponge.h"
+#include "mpm/wall.h"
 
 namespace tidewater::mpm {
-
-enum class WallRule { slip, stick, separate };
 
 // [axis][0: at the origin, 1: at the far end]
 template <int D>
@@ -47,13 +43,9 @@ struct Boundaries {
     Walls<D> walls{};
     Shelf shelf;
     Push push;
-};
-
-// What they did to the nodes of one block.
-template <int D>
-struct WallAction {
-    Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
-    double work = 0.0;  // J, of the plane that pushes: its impulse times its speed
+    Bed<D> bed;
+    Piston piston;  // takes the place of the left wall
+    Sponge sponge;
 };
 
 // Applies them to the velocities that one block of nodes has at `time`; `block` as block_at gives it.

@@ -2,6 +2,7 @@
 //
 //     momentum(t) = momentum(0) + gravity impulse + wall impulse − outflow      closes to rounding
 //     kinetic + gravitational + elastic − boundary work + outflow               falls by the scheme's loss
+//     (boundary work: of pushes and pistons, less what a sponge took)
 //                                                                               and what failing ice takes
 //
 // Velocities have the forces of the coming step already (mpm/simulation.h), so kinetic energy runs ahead of

@@ -150,10 +150,16 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
     std::vector<double> speed2(actions.size());
     const double time = s.settling.going ? -1.0 : s.time + s.dt;  // before any push
+    const Layout<D>& layout = s.grid.layout;
+    const Boundaries<D>& boundaries = s.parameters.boundaries;
+    const MovingPlane piston = plane_at(layout.cell_size, boundaries.piston, time);
     const auto finish = [&](std::size_t slot) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         const Index<D> block = block_at<D>(s.grid.node_blocks[slot]);
-        actions[slot] = apply_boundaries<D, Real>(s.grid.layout, s.parameters.boundaries, time, block, nodes);
+        actions[slot] = apply_boundaries<D, Real>(layout, boundaries, time, block, nodes);
+        actions[slot].add(apply_bed<D, Real>(layout, boundaries.bed, block, nodes));
+        actions[slot].add(apply_plane<D, Real>(layout, piston, block, nodes));
+        actions[slot].add(apply_sponge<D, Real>(layout, boundaries.sponge, next_dt, block, nodes));
         speed2[slot] = greatest_speed2<D, Real>(nodes);
     };
     const bool plain = s.rigid.empty();

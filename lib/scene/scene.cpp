@@ -20,4 +20,13 @@ std::optional<Stage> stage_named(std::string_view name) {
 
 bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 
+geometry::Profile bed_profile(const Scene& scene) {
+    geometry::Profile profile;
+    for (std::size_t i = 0; i + 1 < scene.bed.profile.size(); i += 2) {
+        profile.x.push_back(scene.bed.profile[i]);
+        profile.z.push_back(scene.bed.profile[i + 1]);
+    }
+    return profile;
+}
+
 }  // namespace tidewater::scene

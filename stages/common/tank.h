@@ -19,9 +19,13 @@ inline analysis::Tank make_tank(const scene::Scene& scene) {
 
 // In 3D on the middle of the tank's width.
 inline std::vector<analysis::Place> gauge_places(const std::vector<double>& gauges,
-                                                 const analysis::Tank& tank) {
+                                                 const scene::Scene& scene) {
+    const geometry::Profile bed = bed_profile(scene);
     std::vector<analysis::Place> places;
-    for (const double x : gauges) places.push_back({.x = x, .y = 0.5 * tank.size[1]});
+    for (const double x : gauges) {
+        const double height = scene.has("bed") ? bed.height(x) : 0.0;
+        places.push_back({.x = x, .y = 0.5 * make_tank(scene).size[1], .bed = height});
+    }
     return places;
 }
 
