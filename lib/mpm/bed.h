@@ -41,7 +41,7 @@ struct Bed {
     Vector<across, double> slope(const Vector<across, double>& at, double reach) const;
 };
 
-// Applies the bed to the velocities of one block of nodes, after the walls; `block` as block_at gives it.
+// Applies the bed to the velocities of one block of nodes, before the walls; `block` as block_at gives it.
 template <int D, class Real>
 WallAction<D> apply_bed(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& block, Node<Real>* nodes);
 

@@ -156,8 +156,9 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     const auto finish = [&](std::size_t slot) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         const Index<D> block = block_at<D>(s.grid.node_blocks[slot]);
-        actions[slot] = apply_boundaries<D, Real>(layout, boundaries, time, block, nodes);
-        actions[slot].add(apply_bed<D, Real>(layout, boundaries.bed, block, nodes));
+        // The bed first: after the bottom wall it would turn what presses on a slope into motion along it.
+        actions[slot] = apply_bed<D, Real>(layout, boundaries.bed, block, nodes);
+        actions[slot].add(apply_boundaries<D, Real>(layout, boundaries, time, block, nodes));
         actions[slot].add(apply_plane<D, Real>(layout, piston, block, nodes));
         actions[slot].add(apply_sponge<D, Real>(layout, boundaries.sponge, next_dt, block, nodes));
         speed2[slot] = greatest_speed2<D, Real>(nodes);
