@@ -2,9 +2,10 @@
 //
 //     v ← v/(1 + σ Δt),   σ(x) = rate ((x − from)/width)²   for x > from
 //
-// A long wave that runs through it to the wall and back is left with exp(−∫ 2σ/2c dx) = exp(−rate width/3c)
-// of its height, c = √(gD): strength = rate width/c of 10 leaves 4 %. What rises too fast reflects by itself,
-// so the width counts as well. Measured with a solitary wave of 0.2 D: tests/validation/sponge_test.cpp.
+// A long wave that runs through it to the wall and back is left with exp(−rate width/3c) of its height,
+// c = √(gD). But the sponge takes momentum alone: the volume that a solitary wave brings stays and flows back
+// as a long, low wave. Of a crest of 0.2 D (strength = rate width/c of 10) 58, 46 and 32 % return from widths
+// of 3, 5 and 10 D. Test: tests/unit/mpm/flume_test.cpp.
 #pragma once
 
 #include "mpm/wall.h"

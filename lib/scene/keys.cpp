@@ -366,9 +366,8 @@ constexpr std::array keys{
         .effect = "sponge",
         .required = true,
         .stages = by_simulate,
-        .help =
-            "up to the right wall, in which waves are damped, ever more towards the wall; the README says "
-            "what widths reflect"},
+        .help = "up to the right wall, in which waves are damped, ever more towards the wall; the volume "
+                "that a wave brings stays"},
     Key{.name = "sponge.strength",
         .member = member<&S::sponge, &S::Sponge::strength>(),
         .range = positive,
