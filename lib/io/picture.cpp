@@ -268,11 +268,12 @@ void draw_still_level(Canvas& canvas, const PictureSettings& settings, const Lay
 
 // Gauges whose names would run into the one before have a mark alone.
 void draw_gauges(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
-    const double u = layout.unit, y = settings.dimension == 3 ? 0.5 * settings.size[1] : 0.0;
-    std::vector<double> gauges = settings.gauges;
+    const double u = layout.unit;
+    std::vector<std::array<double, 2>> gauges = settings.gauges;
     std::ranges::sort(gauges);
     double free_from = 0.0;
-    for (const double x : gauges) {
+    for (const auto& [x, across] : gauges) {
+        const double y = settings.dimension == 3 ? across : 0.0;
         const Pixel top = layout.view.project({x, y, settings.size[2]});
         const Pixel tip = layout.view.project({x, y, settings.still_level});
         canvas.dashed_line(top, tip, 1.2 * u, 3 * u, 4 * u, palette::ink, 0.6);

@@ -28,10 +28,10 @@ struct PictureSettings {
     double greatest_speed = 1.0;    // m/s, the colour scale's upper end, > 0
     double time = 0.0;              // s
     std::string title;
-    std::vector<double> gauges;  // x, m
+    std::vector<std::array<double, 2>> gauges;  // (x, y), m; y is not read in 2D
     // Corners of the ground, m; x rises, level beyond the ends, for all y; drawn in 2D. Empty: none.
     std::vector<double> ground_x, ground_z;
-    int width = 1600;            // pixels, at least 400; the height follows from the tank
+    int width = 1600;  // pixels, at least 400; the height follows from the tank
 };
 
 // Water is coloured by its speed, ice by its damage, rigid blocks by their own colour; both have a dark

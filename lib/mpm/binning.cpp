@@ -54,7 +54,7 @@ BlockKey key_at(const Layout<D>& layout, const Vector<D, double>& point, std::ui
     Index<D> block;
     for (std::size_t axis = 0; axis < D; ++axis) {
         const double x = point[static_cast<int>(axis)] / layout.cell_size;
-        if (!(x >= -1.0 && x <= layout.cells[axis] + 1.0)) {
+        if (!(x >= -1.0 && x < layout.cells[axis] + 1.0)) {
             throw NumericsError("particle " + std::to_string(id) + " starts outside of the tank, at " +
                                 place_text<D>(point));
         }
@@ -119,7 +119,7 @@ void follow(const Grid<D, Real>& grid, Particles<D, Real>& particles, std::vecto
                 auto& x = particles.position[axis][p];
                 const int first = grid.layout.first_node(block[axis]);
                 const double at = first + cells_of(x);
-                if (!(at >= -1.0 && at <= grid.layout.cells[axis] + 1.0)) {
+                if (!(at >= -1.0 && at < grid.layout.cells[axis] + 1.0)) {
                     fail_escaped<D>(particles.id[p],
                                     global_position<D, Real>(grid.layout, block, particles, p));
                 }

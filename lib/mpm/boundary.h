@@ -1,7 +1,10 @@
 // What holds or moves the nodes at the edges of a scene: the walls of its box, a shelf in it, a plane that
-// pushes from the left; and what has its own files, a bed, a piston and a sponge. A rule (mpm/wall.h) acts on
-// the grid nodes on the wall's plane and beyond it, so that a particle can come no closer than half a cell
-// beyond the plane. Source: shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
+// pushes from the left; and what has its own files, a bed, a piston and a sponge.
+//
+// A rule (mpm/wall.h) acts on the grid nodes on the wall's plane and beyond it. Just beyond a wall of the box
+// that slips or sticks, velocities mirror those inside (mpm/mirror.h), so that particles near it move towards
+// the plane ever slower and do not pass it; beyond `separate` walls, shelf and push one can come half a cell.
+// Source: shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
 #pragma once
 
 #include <array>
@@ -47,6 +50,10 @@ struct Boundaries {
     Piston piston;  // takes the place of the left wall
     Sponge sponge;
 };
+
+// The walls that mirror: those that slip or stick and are not replaced by a plane that pushes or a piston.
+template <int D>
+Mirrors<D> mirrors_of(const Boundaries<D>& boundaries);
 
 // Applies them to the velocities that one block of nodes has at `time`; `block` as block_at gives it.
 template <int D, class Real>

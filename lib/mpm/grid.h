@@ -22,11 +22,19 @@ using Index = std::array<int, static_cast<std::size_t>(D)>;  // not deducible: o
 
 using BlockKey = std::uint64_t;
 
+// How a wall mirrors what lies before it (mpm/mirror.h).
+enum class Mirror { none, slip, stick };
+
+// [axis][0: at the origin, 1: at the far end]
+template <int D>
+using Mirrors = std::array<std::array<Mirror, 2>, static_cast<std::size_t>(D)>;
+
 // How space is numbered. Node n of an axis lies at n Δx; the walls lie at node 0 and node cells[axis].
 template <int D>
 struct Layout {
     double cell_size = 0.0;  // Δx, m
     Index<D> cells{};        // of the box
+    Mirrors<D> mirrors{};
 
     // The block that holds node n of an axis is n / width + 2 rounded down: particles may reach a cell past a
     // wall and tiles a block further, and keys are made of numbers ≥ 0.

@@ -68,7 +68,7 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
             if (particles.begin[slot] == particles.begin[slot + 1]) return;
             const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
             Tile<D, Real> tile;
-            load_tile(s.grid, s.grid.nodes, slot, tile.data());
+            load_velocities(s.grid, slot, Parity::velocity, tile.data());
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 add(of_block[slot], particle_ledger(s, particles, block, p, tile));
             }

@@ -37,7 +37,7 @@ void account(Simulation<D, Real>& s, const Particles<D, Real>& particles, std::s
              const std::vector<std::size_t>& gone) {
     const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
     Tile<D, Real> tile;
-    load_tile(s.grid, s.grid.nodes, slot, tile.data());
+    load_velocities(s.grid, slot, Parity::velocity, tile.data());
     for (const std::size_t p : gone) {
         const Ledger<D> part = particle_ledger(s, particles, block, p, tile);
         s.outflow.mass += part.mass;

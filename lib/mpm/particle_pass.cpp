@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mpm/ice_lane.h"
+#include "mpm/motion.h"
 #include "mpm/transfer_batch.h"
 
 namespace tidewater::mpm {
@@ -124,6 +125,23 @@ struct IceUpdate {
     Real* strain_at(int c) { return particles.strain[static_cast<std::size_t>(c)].data(); }
 };
 
+// Adds the rigid bodies' particles to the block's tile.
+template <int D, class Real>
+void add_rigid(std::size_t slot, const Index<D>& block, Simulation<D, Real>& s) {
+    std::size_t next = 0;
+    for (auto& particles : s.bodies) {
+        if (particles.material != Material::rigid) continue;
+        const RigidBody& body = s.rigid[next++];
+        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
+        Tile<D, Real> own;
+        own.fill(Node<Real>::Zero());
+        scatter_rigid<D, Real>(s.grid.layout, body, block, slot, particles, own.data());
+        fold<D, Real>(s.grid.layout, block, Parity::even, own.data());
+        Node<Real>* to = s.grid.tile(slot);
+        for (std::size_t n = 0; n < own.size(); ++n) to[n] += own[n];
+    }
+}
+
 }  // namespace
 
 template <int D, class Real>
@@ -136,10 +154,10 @@ PassContext<D, Real>::PassContext(const Simulation<D, Real>& s, double next_dt)
       time(static_cast<Real>(s.time + s.dt)) {}
 
 template <int D, class Real>
-PassResult pass_over_block(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
-                           Simulation<D, Real>& s) {
+PassResult<D> pass_over_block(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
+                              Simulation<D, Real>& s) {
     Strips<D, Real> strips{};
-    PassResult result;
+    PassResult<D> result;
     for (auto& particles : s.bodies) {
         if (particles.begin[slot] == particles.begin[slot + 1]) continue;
         switch (particles.material) {
@@ -162,21 +180,16 @@ PassResult pass_over_block(const PassContext<D, Real>& step, std::size_t slot, c
     Node<Real>* to = s.grid.tile(slot);
     sum_strips<D, Real>(strips, to->data());
     std::fill(to + Block<D>::tile_nodes, to + Block<D>::tile_size, Node<Real>::Zero());
-    std::size_t next_rigid = 0;
-    for (auto& particles : s.bodies) {
-        if (particles.material != Material::rigid) continue;
-        const RigidBody& body = s.rigid[next_rigid++];
-        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
-        const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
-        scatter_rigid<D, Real>(s.grid.layout, body, block, slot, particles, to);
-    }
+    const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+    result.impulse = fold<D, Real>(s.grid.layout, block, Parity::velocity, to);
+    add_rigid(slot, block, s);
     return result;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                               \
-    template struct PassContext<D, Real>;                                                            \
-    template PassResult pass_over_block(const PassContext<D, Real>&, std::size_t, const Node<Real>*, \
-                                        Simulation<D, Real>&);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                  \
+    template struct PassContext<D, Real>;                                                               \
+    template PassResult<D> pass_over_block(const PassContext<D, Real>&, std::size_t, const Node<Real>*, \
+                                           Simulation<D, Real>&);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)
 TIDEWATER_INSTANTIATE(3, float)

@@ -10,10 +10,12 @@
 
 namespace tidewater::mpm {
 
-// What the time step and the checks need to know of the particles of a block.
+// What the time step, the ledger and the checks need to know of the particles of a block.
+template <int D>
 struct PassResult {
-    double least_j = 0.0;   // of its water, at most 0
-    bool unusable = false;  // some ice has a strain that cannot be used
+    double least_j = 0.0;                                   // of its water, at most 0
+    bool unusable = false;                                  // some ice has a strain that cannot be used
+    Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s, of walls that mirror
 };
 
 // What the blocks of one pass share.
@@ -30,11 +32,11 @@ struct PassContext {
 };
 
 // Reads velocities from `from` (a tile of Block<D>::tile_size nodes), advances the particles of block `slot`
-// by s.dt and adds them with the forces of next_dt to its tile of the grid, which is cleared first. Before
-// and after, positions must lie within ½ cell of the block: the caller sorts in time. Blocks may run in
-// parallel. Test: tests/unit/mpm/twin_test.cpp.
+// by s.dt and adds them with the forces of next_dt to its tile of the grid, which is cleared first and
+// afterwards folded at walls that mirror. Before and after, positions must lie within ½ cell of the block:
+// the caller sorts in time. Blocks may run in parallel. Test: tests/unit/mpm/twin_test.cpp.
 template <int D, class Real>
-PassResult pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
-                           Simulation<D, Real>& s);
+PassResult<D> pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
+                              Simulation<D, Real>& s);
 
 }  // namespace tidewater::mpm

@@ -25,6 +25,7 @@ std::vector<Node<Real>> average_on_grid(const Simulation<D, Real>& s) {
                                  tile);
             }
         }
+        fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]), Parity::even, tile);
     });
     std::vector<Node<Real>> nodes(s.grid.nodes.size());
     parallel_for(s.grid.node_blocks.size(), [&](std::size_t slot) {
@@ -45,6 +46,7 @@ std::vector<std::vector<float>> grid_pressure(const Simulation<D, Real>& s) {
     parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
         Tile<D, Real> tile;
         load_tile(s.grid, nodes, slot, tile.data());
+        unfold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]), Parity::even, tile.data());
         for (std::size_t body = 0; body < s.bodies.size(); ++body) {
             const Particles<D, Real>& particles = s.bodies[body];
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {

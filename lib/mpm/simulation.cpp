@@ -95,16 +95,17 @@ template <int D, class Real>
 void move_particles(Simulation<D, Real>& s, double next_dt) {
     for (RigidBody& body : s.rigid) move_rigid_body(s.dt, body);
     const PassContext<D, Real> context(s, next_dt);
-    std::vector<PassResult> results(s.grid.particle_blocks.size());
+    std::vector<PassResult<D>> results(s.grid.particle_blocks.size());
     parallel_for(results.size(), [&](std::size_t slot) {
         alignas(64) Tile<D, Real> tile;
-        load_tile(s.grid, s.grid.nodes, slot, tile.data());
+        load_velocities(s.grid, slot, Parity::velocity, tile.data());
         results[slot] = pass_over_block(context, slot, tile.data(), s);
     });
-    PassResult all;
-    for (const PassResult& result : results) {
+    PassResult<D> all;
+    for (const PassResult<D>& result : results) {
         all.least_j = std::min(all.least_j, result.least_j);
         all.unusable = all.unusable || result.unusable;
+        s.wall_impulse += result.impulse;
     }
     if (all.unusable || !(all.least_j > -1.0)) fail_at_bad_particle(s);
     update_sound(s, all.least_j);
@@ -142,6 +143,20 @@ template <int D, class Real>
     }
     throw NumericsError(where(s, "grid") + "a velocity near (" + place +
                         ") m is not a number; use a smaller simulate.cfl");
+}
+
+// What walls that mirror give to the particles when these read the nodes' velocities next.
+template <int D, class Real>
+void add_unfolding_impulse(Simulation<D, Real>& s) {
+    std::vector<Vector<D, double>> of_block(s.grid.particle_blocks.size(), Vector<D, double>::Zero());
+    parallel_for(of_block.size(), [&](std::size_t slot) {
+        const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+        if (!has_mirror<D>(s.grid.layout, block)) return;
+        Tile<D, Real> tile;
+        load_velocities(s.grid, slot, Parity::velocity, tile.data());
+        of_block[slot] = unfolding_impulse<D, Real>(s.grid.layout, block, tile.data(), s.grid.tile(slot));
+    });
+    for (const auto& impulse : of_block) s.wall_impulse += impulse;
 }
 
 template <int D, class Real>
@@ -185,6 +200,7 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
         s.boundary_work += actions[slot].work;
     }
     s.speeds.particle = std::sqrt(greatest);
+    add_unfolding_impulse(s);
     for (const auto& particles : s.bodies) {
         s.gravity_impulse -=
             particles.mass * static_cast<double>(particles.size()) * s.parameters.gravity * next_dt;

@@ -73,8 +73,8 @@ struct Simulation {
 
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that the walls gave since the start
     double gravity_impulse = 0.0;                                // along the last axis, likewise
-    double boundary_work = 0.0;                                  // J that what moves did since the start, less what sponges took
-    Outflow<D> outflow;                                          // what left through the outlet
+    double boundary_work = 0.0;  // J by what moves since the start, less what sponges took
+    Outflow<D> outflow;          // what left through the outlet
     Settling settling;
     std::array<double, phase_names.size()> seconds{};  // wall time per Phase
 

@@ -17,8 +17,8 @@ double fill_columns(const Start<D>& start, const typename Start<D>::Body& body,
                     Particles<D, Real>& particles) {
     double least_j = 0.0;
     if (particles.material == Material::water) {
-        for (const auto& point : body.points) {
-            const double h = body.surface - point[D - 1];
+        for (std::size_t p = 0; p < body.points.size(); ++p) {
+            const double h = body.head.empty() ? body.surface - body.points[p][D - 1] : body.head[p];
             const double j = hydrostatic_j(h, start.parameters.gravity, start.parameters.water);
             particles.j.push_back(static_cast<Real>(j));
             least_j = std::min(least_j, j);
@@ -46,6 +46,8 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
             const auto& particles = s.bodies[body];
             const auto& velocity = bodies[body]->velocity;
             const auto& gradient = bodies[body]->gradient;
+            Tile<D, Real> own;
+            own.fill(Node<Real>::Zero());
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 const std::size_t point = particles.id[p] - first_id;
                 Vector<D, double> momentum = Vector<D, double>::Zero();
@@ -53,8 +55,11 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
                 if (!velocity.empty()) momentum = particles.mass * velocity[point];
                 if (!gradient.empty()) change = particles.mass * start.cell_size * gradient[point];
                 scatter<D, Real>(local_position(particles, p), static_cast<Real>(particles.mass),
-                                 momentum.template cast<Real>(), change.template cast<Real>(), tile);
+                                 momentum.template cast<Real>(), change.template cast<Real>(), own.data());
             }
+            fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]),
+                          parity_of(particles.material), own.data());
+            for (std::size_t n = 0; n < own.size(); ++n) tile[n] += own[n];
             first_id += static_cast<std::uint32_t>(particles.size());
         }
     });
@@ -81,7 +86,7 @@ template <int D, class Real>
 Simulation<D, Real> make_simulation(const Start<D>& start) {
     Simulation<D, Real> s;
     s.parameters = start.parameters;
-    s.grid.layout = Layout<D>{start.cell_size, start.cells};
+    s.grid.layout = Layout<D>{start.cell_size, start.cells, mirrors_of(start.parameters.boundaries)};
     std::vector<const typename Start<D>::Body*> bodies;
     std::vector<std::span<const Vector<D, double>>> points;
     double least_j = 0.0;

@@ -15,7 +15,8 @@ struct Start {
         std::vector<Matrix<D, double>> gradient;  // ∂v/∂x of each point, 1/s; empty: zero
         double mass = 0.0;                        // of the whole body, kg
         double volume = 0.0;                      // of the whole body at rest, m³
-        double surface = 0.0;  // water: height of the still surface, from which it starts hydrostatic, m
+        double surface = 0.0;      // water: height of the still surface, from which it starts hydrostatic, m
+        std::vector<double> head;  // water: p/ρg that each point starts with, m; empty: depth below surface
     };
     double cell_size = 0.0;
     Index<D> cells{};

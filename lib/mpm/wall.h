@@ -10,8 +10,8 @@ namespace tidewater::mpm {
 //     separate  as slip, but what moves away from the wall may leave it
 enum class WallRule { slip, stick, separate };
 
-// Nodes up to this many cells before a surface that lies anywhere between nodes are held with those behind it.
-// A free node nearer to it finds too little water behind it and sinks (mpm/bed.h).
+// Nodes up to this many cells before a surface that lies anywhere between nodes are held with those behind
+// it. A free node nearer to it finds too little water behind it and sinks (mpm/bed.h).
 inline constexpr double wall_reach = 0.75;
 
 // What boundaries did to the nodes of one block.

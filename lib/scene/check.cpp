@@ -127,6 +127,66 @@ void check_water(Reading& reading) {
     }
 }
 
+void report_top(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"water.depth"})) return;
+    const double crest = scene.water.depth + scene.wave.height, top = scene.domain.size.back();
+    if (crest > top) {
+        reading.report("wave.height", "the crest at " + metres(short_number(crest)) +
+                                          " is above the tank's top at " + metres(top) +
+                                          "; lower it or raise domain.size");
+    }
+    const bool solitary = scene.wave.kind == analysis::WaveKind::solitary;
+    const double share = solitary ? analysis::highest_solitary : 0.5;
+    if (scene.wave.height <= share * scene.water.depth * (1.0 + 1e-9)) return;
+    reading.report("wave.height", metres(scene.wave.height) + " is more than " + number_text(share) +
+                                      " of the water's depth, up to which the theory holds; lower it to " +
+                                      metres(short_number(share * scene.water.depth)));
+}
+
+// The walls of a standing wave are at its crests and troughs.
+void report_wave_length(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"wave.length"})) return;
+    if (scene.wave.length == 0.0) {
+        return reading.report("wave.length", "missing; a standing wave needs its length, e.g. length = " +
+                                                 number_text(2.0 * scene.domain.size.front()) + " (m)");
+    }
+    const double halves = 2.0 * scene.domain.size.front() / scene.wave.length;
+    const double whole = std::max(std::round(halves), 1.0);
+    if (std::abs(halves - whole) <= tolerance * whole) return;
+    reading.report("wave.length", metres(scene.wave.length) + ": the tank of " +
+                                      metres(scene.domain.size.front()) +
+                                      " holds no whole number of halves of it; the nearest length is " +
+                                      metres(short_number(2.0 * scene.domain.size.front() / whole)));
+}
+
+void check_wave(Reading& reading) {
+    const Scene& scene = reading.scene;
+    if (!reading.usable({"effects", "dimension", "domain.size", "wave.kind", "wave.height"}) ||
+        !scene.has("wave") || !scene.has("water")) {
+        return;
+    }
+    report_top(reading);
+    const bool solitary = scene.wave.kind == analysis::WaveKind::solitary;
+    if (!solitary) report_wave_length(reading);
+    const char* other = solitary ? "wave.length" : "wave.center";
+    if ((solitary ? scene.wave.length : scene.wave.center) != 0.0)
+        reading.report(other, std::string("is not read with kind = \"") +
+                                  (solitary ? "solitary" : "standing") + "\"; remove it");
+    if (solitary && reading.usable({"wave.center"}) && scene.wave.center > scene.domain.size.front()) {
+        reading.report("wave.center", metres(scene.wave.center) + " is beyond the tank's end at " +
+                                          metres(scene.domain.size.front()) + "; move it into the tank");
+    }
+    if (reading.usable({"water.length"}) && scene.water.length > 0.0 &&
+        scene.water.length < scene.domain.size.front()) {
+        reading.report("water.length",
+                       metres(scene.water.length) + " is not the whole tank, which a wave needs; remove it");
+    }
+    if (reading.usable({"domain.gravity"}) && scene.domain.gravity == 0.0)
+        reading.report("domain.gravity", "0 m/s² makes no waves; raise it or take \"wave\" out of effects");
+}
+
 // Half the extent along each axis of the box around the turned block.
 std::vector<double> block_reach(const Scene& scene) {
     std::vector<double> reach = scene.block.size;
@@ -167,6 +227,7 @@ void check_companions(Reading& reading) {
         const char *effect, *needs, *why;
     } rules[] = {{"fracture", "ice", "there is nothing that could fracture"},
                  {"outlet", "water", "there is nothing to let out"},
+                 {"wave", "water", "there is nothing that could make a wave"},
                  {"sponge", "water", "there are no waves to take"},
                  {"piston", "water", "there is nothing to make waves in"}};
     for (const char* ground : {"shelf", "bed", "push", "piston", "ice"}) {
@@ -175,6 +236,13 @@ void check_companions(Reading& reading) {
             "effects",
             std::string("names \"rigid\" and \"") + ground +
                 "\": a rigid block knows only water and the tank's walls so far; remove one of them");
+    }
+    for (const char* body : {"rigid", "ice", "shelf", "bed"}) {
+        if (!reading.scene.has("wave") || !reading.scene.has(body)) continue;
+        reading.report("effects",
+                       std::string("names \"wave\" and \"") + body +
+                           "\": the theories of waves know a flat bed and open water alone; remove "
+                           "one of them");
     }
     for (const auto& [effect, needs, why] : rules) {
         if (!reading.scene.has(effect) || reading.scene.has(needs)) continue;
@@ -274,29 +342,51 @@ void check_softening(Reading& reading) {
     }
 }
 
-// Reports the numbers of the list that are greater than `most`: "<rule> <most> <unit>: <numbers>".
-void check_list(Reading& reading, const char* key, const std::vector<double>& list, double most,
-                const char* unit, const std::string& rule) {
-    std::string outside;
-    for (const double number : list) {
-        if (number > most) outside += (outside.empty() ? "" : ", ") + number_text(number);
+// Each point needs one of these counts of coordinates, which `what` names, within the tank. `axes`: which
+// ones they are.
+void check_points(Reading& reading, const char* key, const Points& points, std::size_t least,
+                  std::size_t most, const std::vector<std::size_t>& axes, const std::string& what) {
+    const Scene& scene = reading.scene;
+    std::string outside, wrong;
+    std::size_t beyond = 0;  // the axis of the first that is outside
+    for (const auto& point : points) {
+        if (point.size() < least || point.size() > most) {
+            wrong += (wrong.empty() ? "" : ", ") + list_text(std::span(&point, 1));
+            continue;
+        }
+        for (std::size_t i = 0; i < point.size(); ++i) {
+            if (point[i] <= scene.domain.size[axes[i]]) continue;
+            if (outside.empty()) beyond = axes[i];
+            const std::string text = list_text(std::span(&point, 1));
+            outside += (outside.empty() ? "" : ", ") + text.substr(1, text.size() - 2);
+            break;
+        }
     }
+    if (!wrong.empty()) reading.report(key, "each needs " + what + "; wrong: " + wrong);
     if (outside.empty()) return;
-    reading.report(key,
-                   rule + " " + number_text(most) + " " + unit + ": " + outside + "; move or remove what is");
+    reading.report(key, std::string("outside the tank, which ends at ") + axis_name(beyond, scene.dimension) +
+                            " = " + number_text(scene.domain.size[beyond]) + " m: " + outside +
+                            "; move or remove what is");
 }
 
 void check_gauges(Reading& reading) {
     if (!reading.usable({"dimension", "domain.size"})) return;
     const Scene& scene = reading.scene;
-    const double end = scene.domain.size.front();
-    const char* rule = "outside the tank, which ends at x =";
-    if (reading.usable({"simulate.gauges"})) {
-        check_list(reading, "simulate.gauges", scene.simulate.gauges, end, "m", rule);
-    }
-    if (reading.usable({"postprocess.gauges"})) {
-        check_list(reading, "postprocess.gauges", scene.postprocess.gauges, end, "m", rule);
-    }
+    const bool flat = scene.dimension == 2;
+    const auto check = [&](const char* key, const Points& gauges) {
+        if (!reading.usable({key})) return;
+        check_points(reading, key, gauges, 1, flat ? 1 : 2, {0, 1}, flat ? "its x" : "its x, or [x, y]");
+    };
+    check("simulate.gauges", scene.simulate.gauges);
+    check("postprocess.gauges", scene.postprocess.gauges);
+    if (!reading.usable({"simulate.pressure_gauges"}) || scene.simulate.pressure_gauges.empty()) return;
+    const std::size_t count = flat ? 2 : 3;
+    check_points(reading, "simulate.pressure_gauges", scene.simulate.pressure_gauges, count, count, {0, 1, 2},
+                 flat ? "[x, z]" : "[x, y, z]");
+    if (reading.usable({"effects"}) && !scene.has("water"))
+        reading.report("simulate.pressure_gauges",
+                       "measure water, and effects does not name \"water\"; add it "
+                       "or remove the gauges");
 }
 
 void check_times(Reading& reading) {
@@ -313,7 +403,7 @@ void check_times(Reading& reading) {
 // broken dam, 2 √(g d) (Ritter 1892); the fall of the block's lowest corner to the still level, √(2 g f); and
 // the fall by the block's own height, as it sinks or topples, √(2 g h).
 double fastest_flow(const Scene& scene) {
-    const double depth = scene.water.depth;
+    const double depth = scene.water.depth + scene.wave.height;
     const bool dam = scene.water.length > 0.0 && scene.water.length < scene.domain.size.front();
     double head = dam ? 4.0 * depth : depth;  // speed² / g
     if (scene.has("rigid")) {
@@ -413,6 +503,7 @@ void check_scene(Reading& reading) {
     check_count(reading);
     check_resolution(reading);
     check_water(reading);
+    check_wave(reading);
     check_block_inside(reading);
     check_companions(reading);
     check_ice(reading);

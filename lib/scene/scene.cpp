@@ -18,6 +18,15 @@ std::optional<Stage> stage_named(std::string_view name) {
     return static_cast<Stage>(found - stage_names.begin());
 }
 
+analysis::InitialWave initial_wave(const Scene& scene) {
+    return {.kind = scene.wave.kind,
+            .height = scene.wave.height,
+            .length = scene.wave.length,
+            .center = scene.wave.center,
+            .depth = scene.water.depth,
+            .gravity = scene.domain.gravity};
+}
+
 bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 
 geometry::Profile bed_profile(const Scene& scene) {

@@ -13,10 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/wave_theory.h"
 #include "geometry/profile.h"
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
 #include "mpm/water.h"
+#include "scene/toml_document.h"
 
 namespace tidewater::scene {
 
@@ -49,6 +51,13 @@ struct Scene {
         double length = 0.0;        // m, from the left wall; 0: the whole tank
         mpm::WaterModel model;      // water.density, water.sound_speed, water.exponent
     } water;
+
+    struct Wave {  // effect "wave": the water starts as a wave
+        analysis::WaveKind kind = analysis::WaveKind::standing;
+        double height = 0.0;  // a, m
+        double length = 0.0;  // of a standing wave, m
+        double center = 0.0;  // of a solitary wave's crest at the start, m
+    } wave;
 
     struct Block {                   // effect "rigid"
         std::vector<double> size;    // m
@@ -117,14 +126,15 @@ struct Scene {
         double end_time = 0.0;           // s
         double snapshot_interval = 0.0;  // s
         double gauge_interval = 0.01;    // s, between rows of gauges.csv and ledger.csv
-        std::vector<double> gauges;      // x of each gauge, m; in 3D on the middle of the tank's width
+        Points gauges;           // (x), in 3D also (x, y), of each gauge, m; (x): the middle of the width
+        Points pressure_gauges;  // (x, z), in 3D (x, y, z), m
         Precision precision = Precision::single_precision;
         double cfl = 0.5;
         double checkpoint_interval = 300.0;  // s of wall time; 0: only when stopped
     } simulate;
 
     struct Postprocess {
-        std::vector<double> gauges;         // further gauges, read from the snapshots; x, m
+        Points gauges;                      // further gauges, read from the snapshots
         std::vector<double> picture_times;  // s; empty: five, evenly spread
         int picture_width = 1600;           // pixels
         double picture_speed = 0.0;         // m/s, the colour scale's upper end; 0: the run's own
@@ -161,6 +171,9 @@ mpm::IceModel ice_model(const Scene& scene);
 
 // The ground of a scene with the effect "bed".
 geometry::Profile bed_profile(const Scene& scene);
+
+// The wave that the water of a scene with the effect "wave" starts as.
+analysis::InitialWave initial_wave(const Scene& scene);
 
 // What is allowed but probably not meant, one line each.
 std::vector<std::string> scene_warnings(const Scene& scene);

@@ -49,6 +49,13 @@ std::string list_text(std::span<const std::string> words) {
     return bracketed(items);
 }
 
+std::string list_text(std::span<const std::vector<double>> points) {
+    std::vector<std::string> items;
+    for (const auto& point : points)
+        items.push_back(point.size() == 1 ? number_text(point.front()) : list_text(std::span(point)));
+    return bracketed(items);
+}
+
 std::string quoted_text(std::string_view text) {
     std::string result = "\"";
     for (const char letter : text) {

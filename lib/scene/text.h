@@ -20,6 +20,8 @@ double short_number(double number);
 // "[16, 1]"
 std::string list_text(std::span<const double> numbers);
 std::string list_text(std::span<const std::string> words);
+// "[2, [2, 0.5]]": a point of one number as that number.
+std::string list_text(std::span<const std::vector<double>> points);
 
 // As a TOML basic string, quotes included.
 std::string quoted_text(std::string_view text);

@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "scene/text.h"
@@ -10,7 +11,35 @@
 namespace tidewater::scene {
 namespace {
 
+// Nothing if something in it is no number.
+std::optional<std::vector<double>> numbers_of(const toml::array& array) {
+    std::vector<double> numbers;
+    for (const toml::node& item : array) {
+        if (!item.is_number()) return std::nullopt;
+        numbers.push_back(*item.value<double>());
+    }
+    return numbers;
+}
+
+// A list of lists of numbers, or of numbers and such lists; nothing if it is neither.
+std::optional<Points> points_of(const toml::array& array) {
+    Points points;
+    for (const toml::node& item : array) {
+        const auto* list = item.as_array();
+        std::optional<std::vector<double>> point;
+        if (list != nullptr) point = numbers_of(*list);
+        if (item.is_number()) point = {*item.value<double>()};
+        if (!point) return std::nullopt;
+        points.push_back(*point);
+    }
+    return points;
+}
+
 Value list_value(const toml::array& array) {
+    const auto is_list = [](const toml::node& item) { return item.is_array(); };
+    if (std::ranges::any_of(array, is_list)) {
+        if (auto points = points_of(array)) return *points;
+    }
     std::vector<double> numbers;
     std::vector<std::string> words;
     for (const toml::node& item : array) {
@@ -117,6 +146,7 @@ std::string describe(const Value& value) {
         std::string operator()(double number) const { return number_text(number); }
         std::string operator()(const std::string& text) const { return "text " + quoted_text(text); }
         std::string operator()(const std::vector<double>& list) const { return count(list.size(), "number"); }
+        std::string operator()(const Points& list) const { return count(list.size(), "point"); }
         std::string operator()(const std::vector<std::string>& list) const {
             return count(list.size(), "word");
         }

@@ -14,9 +14,12 @@ struct Foreign {
     std::string description;
 };
 
-// An empty list is a std::vector<double>.
-using Value =
-    std::variant<std::int64_t, double, std::string, std::vector<double>, std::vector<std::string>, Foreign>;
+// Points in space; one of a single number stands in its list as that number.
+using Points = std::vector<std::vector<double>>;
+
+// An empty list, and one of numbers alone, is a std::vector<double>.
+using Value = std::variant<std::int64_t, double, std::string, std::vector<double>, Points,
+                           std::vector<std::string>, Foreign>;
 
 // The value for a message: `text "abc"`, `2.5`, `a list of 3 numbers`.
 std::string describe(const Value& value);

@@ -25,6 +25,8 @@ constexpr std::array enum_names<Softening>{"paper", "crack_band"};
 template <>
 constexpr std::array enum_names<HardeningLimit>{"start", "none"};
 template <>
+constexpr std::array enum_names<analysis::WaveKind>{"standing", "solitary"};
+template <>
 constexpr std::array enum_names<Precision>{"float", "double"};
 
 template <class Enum>
@@ -68,6 +70,16 @@ requires(std::is_same_v<Same, std::string> ||
     return same != nullptr;
 }
 
+bool convert(const Value& value, Points& to) {
+    const auto* points = std::get_if<Points>(&value);
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
+    if (points != nullptr) to = *points;
+    if (numbers == nullptr) return points != nullptr;
+    to.clear();
+    for (const double number : *numbers) to.push_back({number});
+    return true;
+}
+
 bool convert(const Value& value, std::vector<std::string>& to) {
     const auto* words = std::get_if<std::vector<std::string>>(&value);
     const auto* empty = std::get_if<std::vector<double>>(&value);
@@ -96,9 +108,9 @@ std::string range_problem(const Key& key, const T& value) {
         return with_unit(number_text(number), key.unit) + " is out of range; it must be " +
                (rule.empty() || !std::isfinite(number) ? "a finite number" + (rule.empty() ? "" : " " + rule)
                                                        : rule);
-    } else if constexpr (std::is_same_v<T, std::vector<double>>) {
-        for (const double number : value) {
-            if (auto problem = range_problem(key, number); !problem.empty()) return problem;
+    } else if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, Points>) {
+        for (const auto& item : value) {
+            if (auto problem = range_problem(key, item); !problem.empty()) return problem;
         }
     }
     return {};
@@ -120,6 +132,7 @@ struct TypeName {
     std::string operator()(const Member<std::vector<double>>&) const {
         return key.per_dimension ? "a list with one number per dimension" : "a list of numbers";
     }
+    std::string operator()(const Member<Points>&) const { return "a list of numbers or points"; }
     std::string operator()(const Member<std::vector<std::string>>&) const {
         return "a list of words in quotes";
     }
@@ -135,6 +148,7 @@ struct Print {
     std::string operator()(std::uint64_t whole) const { return std::to_string(whole); }
     std::string operator()(const std::string& text) const { return quoted_text(text); }
     std::string operator()(const std::vector<double>& list) const { return list_text(list); }
+    std::string operator()(const Points& list) const { return list_text(list); }
     std::string operator()(const std::vector<std::string>& list) const { return list_text(list); }
     template <class Enum>
     requires std::is_enum_v<Enum> std::string operator()(Enum value) const {

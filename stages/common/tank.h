@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/surface.h"
+#include "io/places.h"
 #include "scene/scene.h"
 
 namespace tidewater {
@@ -17,16 +18,24 @@ inline analysis::Tank make_tank(const scene::Scene& scene) {
             .still_level = scene.water.depth};
 }
 
-// In 3D on the middle of the tank's width.
-inline std::vector<analysis::Place> gauge_places(const std::vector<double>& gauges,
-                                                 const scene::Scene& scene) {
+// A gauge that tells only its x is on the middle of the tank's width.
+inline std::vector<analysis::Place> gauge_places(const scene::Points& gauges, const scene::Scene& scene) {
     const geometry::Profile bed = bed_profile(scene);
+    const double middle = 0.5 * make_tank(scene).size[1];
     std::vector<analysis::Place> places;
-    for (const double x : gauges) {
-        const double height = scene.has("bed") ? bed.height(x) : 0.0;
-        places.push_back({.x = x, .y = 0.5 * make_tank(scene).size[1], .bed = height});
+    for (const auto& gauge : gauges) {
+        places.push_back({.x = gauge[0],
+                          .y = gauge.size() > 1 ? gauge[1] : middle,
+                          .bed = scene.has("bed") ? bed.height(gauge[0]) : 0.0});
     }
     return places;
+}
+
+// What a table calls a gauge: "x=2", "x=2 y=0.5".
+inline io::NamedPlace gauge_name(const std::vector<double>& gauge) {
+    io::NamedPlace name{.x = gauge[0]};
+    if (gauge.size() > 1) name.y = gauge[1];
+    return name;
 }
 
 }  // namespace tidewater

@@ -1,8 +1,10 @@
 // tidewater-geometry: the scene's tank, bed, shelf, water, ice and block as level sets in
 // <run>/geometry/geometry.vdb.
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
+#include "analysis/wave_theory.h"
 #include "common/stage.h"
 #include "core/error.h"
 #include "core/hash.h"
@@ -100,17 +102,42 @@ openvdb::FloatGrid::Ptr bed_level_set(const scene::Scene& scene) {
     });
 }
 
+// Along a wave: a box as high as its crest, cut off at its surface.
+std::vector<double> water_size(const scene::Scene& scene) {
+    std::vector<double> size = scene.domain.size;
+    if (scene.water.length > 0.0) size.front() = scene.water.length;
+    size.back() = scene.water.depth + (scene.has("wave") ? scene.wave.height : 0.0);
+    return size;
+}
+
+// Of the box that water_size gives; m³, in 2D m².
+double water_volume(const scene::Scene& scene, const Box& water) {
+    if (!scene.has("wave")) return volume(scene, water);
+    const double length = scene.domain.size.front(),
+                 width = scene.dimension == 3 ? scene.domain.size[1] : 1.0;
+    return width * (length * scene.water.depth + analysis::elevated_area(initial_wave(scene), length));
+}
+
+// To a wave's surface, m: the distance along z times the cosine of the slope, exact to first order.
+double wave_distance(const analysis::InitialWave& wave, const Point& point) {
+    const double slope = analysis::elevation_slope(wave, point[0]);
+    return (point[2] - wave.depth - analysis::elevation(wave, point[0])) / std::hypot(1.0, slope);
+}
+
 openvdb::FloatGrid::Ptr water_level_set(const scene::Scene& scene, const Box& water,
                                         const std::vector<Solid>& solids) {
     const geometry::Profile profile = bed_profile(scene);
+    const bool waves = scene.has("wave");
+    const analysis::InitialWave wave = initial_wave(scene);
     const auto distance = [&](const Point& point) {
         double to_water = signed_distance(water, point);
+        if (waves) to_water = std::max(to_water, wave_distance(wave, point));
         for (const Solid& solid : solids) to_water = std::max(to_water, -signed_distance(solid.box, point));
         if (scene.has("bed")) to_water = std::max(to_water, -signed_distance(profile, point));
         return to_water;
     };
     auto grid = geometry::make_level_set("water", scene.domain.cell_size, extent_of(water), distance);
-    double filled = volume(scene, water);
+    double filled = water_volume(scene, water);
     for (const Solid& solid : solids) filled -= shared_volume(scene, solid.box, water);
     if (scene.has("bed")) filled -= ground_volume(scene, water);
     geometry::describe_body(*grid, Material::water, filled);
@@ -134,10 +161,7 @@ void write_geometry(StageContext& context) {
     }
     const std::vector<Solid> solids = solids_of(scene);
     if (scene.has("water")) {
-        std::vector<double> size = scene.domain.size;
-        if (scene.water.length > 0.0) size[0] = scene.water.length;
-        size.back() = scene.water.depth;
-        grids.push_back(water_level_set(scene, upright_box(scene, size), solids));
+        grids.push_back(water_level_set(scene, upright_box(scene, water_size(scene)), solids));
         std::printf("water: %.6g %s\n", geometry::body_volume(*grids.back()), unit);
     }
     for (const Solid& solid : solids) {

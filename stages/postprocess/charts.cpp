@@ -26,6 +26,13 @@ io::ChartLine positions(const Waves& waves, const char* label, double analysis::
     return line;
 }
 
+// "x = 2 m", "x = 2 m, y = 0.5 m"
+std::string place_title(const io::NamedPlace& place) {
+    std::string title = "x = " + io::format_number(*place.x) + " m";
+    if (place.y) title += ", y = " + io::format_number(*place.y) + " m";
+    return title;
+}
+
 }  // namespace
 
 std::string gauge_chart(const Waves& waves, const StageContext& context) {
@@ -34,8 +41,7 @@ std::string gauge_chart(const Waves& waves, const StageContext& context) {
         const GaugeRecord& record = waves.records[i];
         const analysis::GaugeWave& gauge = waves.gauges[i];
         io::ChartPanel panel;
-        panel.title =
-            "x = " + io::format_number(record.x) + " m" + (record.source == "run" ? "" : ", from snapshots");
+        panel.title = place_title(record.place) + (record.source == "run" ? "" : ", from snapshots");
         panel.y_label = "η (m)";
         panel.lines = {{.label = "surface elevation η", .x = record.time, .y = record.elevation}};
         panel.marks = {

@@ -60,13 +60,14 @@ io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) 
                                  .still_level = scene.water.depth,
                                  .greatest_speed = scene.postprocess.picture_speed,
                                  .title = scene.title,
-                                 .gauges = scene.simulate.gauges,
+                                 .gauges = {},
                                  .ground_x = {},
                                  .ground_z = {},
                                  .width = scene.postprocess.picture_width};
     if (settings.greatest_speed == 0.0) settings.greatest_speed = fastest > 0.0 ? io::round_up(fastest) : 1.0;
-    const auto& further = scene.postprocess.gauges;
-    settings.gauges.insert(settings.gauges.end(), further.begin(), further.end());
+    for (const auto* gauges : {&scene.simulate.gauges, &scene.postprocess.gauges}) {
+        for (const auto& place : gauge_places(*gauges, scene)) settings.gauges.push_back({place.x, place.y});
+    }
     if (scene.has("bed")) {
         const geometry::Profile bed = bed_profile(scene);
         settings.ground_x = bed.x;
@@ -129,7 +130,8 @@ std::vector<GaugeRecord> process_frames(const StageContext& context, const Frame
     const scene::Scene& scene = context.scene;
     const auto chosen = choose_frames(frames.times, scene.postprocess.picture_times, default_picture_count);
     std::vector<GaugeRecord> records;
-    for (const double x : scene.postprocess.gauges) records.push_back({x, "snapshots", frames.times, {}});
+    for (const auto& gauge : scene.postprocess.gauges)
+        records.push_back({gauge_name(gauge), "snapshots", frames.times, {}});
     std::vector<io::CollectionEntry> collection;
     double fastest = 0.0;
 

@@ -26,9 +26,10 @@ analysis::WaveSettings wave_settings(const scene::Scene& scene, double x) {
 
 double error_percent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
 
-std::vector<std::string> row(const Waves& waves, double x, const std::string& source,
+std::vector<std::string> row(const Waves& waves, const io::NamedPlace& place, const std::string& source,
                              const std::vector<double>& seen, const analysis::Celerity& celerity) {
-    std::vector<std::string> cells{io::format_number(x), source};
+    std::vector<std::string> cells{io::format_number(place.x.value_or(analysis::none)),
+                                   io::format_number(place.y.value_or(analysis::none)), source};
     for (const double value : seen) cells.push_back(io::format_number(value));
     const double reference = waves.long_wave_celerity;
     for (const double value :
@@ -61,13 +62,13 @@ std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path) {
     const auto& time = io::require_column(table, "time", path);
     std::vector<GaugeRecord> records;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        if (!table.columns[c].starts_with("x=")) continue;
-        const auto x = io::parse_number(std::string_view(table.columns[c]).substr(2));
-        if (!x) {
+        if (table.columns[c] == "time") continue;
+        const auto place = io::parse_place(table.columns[c]);
+        if (!place) {
             throw InputError(path.string() + ": column \"" + table.columns[c] +
                              "\" names no place; run tidewater-simulate again");
         }
-        records.push_back({*x, "run", time, table.values[c]});
+        records.push_back({*place, "run", time, table.values[c]});
     }
     return records;
 }
@@ -75,7 +76,7 @@ std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path) {
 void write_gauges(const std::filesystem::path& path, const std::vector<GaugeRecord>& records,
                   const Provenance& provenance) {
     std::vector<std::string> columns{"time"};
-    for (const GaugeRecord& record : records) columns.push_back("x=" + io::format_number(record.x));
+    for (const GaugeRecord& record : records) columns.push_back(io::place_name(record.place));
     io::TableWriter table(path, provenance, columns);
     const std::size_t rows = records.empty() ? 0 : records.front().time.size();
     for (std::size_t r = 0; r < rows; ++r) {
@@ -89,15 +90,21 @@ void write_gauges(const std::filesystem::path& path, const std::vector<GaugeReco
 Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
     Waves waves;
     waves.records = std::move(records);
-    std::ranges::stable_sort(waves.records, {}, &GaugeRecord::x);
+    std::ranges::stable_sort(waves.records, {}, [](const GaugeRecord& record) {
+        return std::pair(record.place.y.value_or(-1.0), record.place.x);
+    });
     const bool waves_run = scene.has("water") && scene.domain.gravity > 0.0;
     for (const GaugeRecord& record : waves.records) {
-        waves.gauges.emplace_back().x = record.x;
+        const double x = *record.place.x;
+        waves.gauges.emplace_back().x = x;
         if (!waves_run) continue;
         waves.gauges.back() =
-            analysis::analyse_gauge(record.x, record.time, record.elevation, wave_settings(scene, record.x));
+            analysis::analyse_gauge(x, record.time, record.elevation, wave_settings(scene, x));
     }
     waves.to_next = analysis::celerity_between(waves.gauges);
+    for (std::size_t i = 0; i < waves.to_next.size(); ++i) {
+        if (waves.records[i].place.y != waves.records[i + 1].place.y) waves.to_next[i] = {};
+    }
     waves.overall = analysis::celerity_overall(waves.gauges);
     if (waves_run)
         waves.long_wave_celerity = analysis::long_wave_celerity(scene.water.depth, scene.domain.gravity);
@@ -107,7 +114,7 @@ Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
 void write_waves(const std::filesystem::path& path, const Waves& waves, const Provenance& provenance) {
     io::TableWriter table(
         path, provenance,
-        {"x", "source", "arrival", "crest_time", "crest", "trough", "height", "period", "greatest",
+        {"x", "y", "source", "arrival", "crest_time", "crest", "trough", "height", "period", "greatest",
          "greatest_time", "lowest", "mean_period", "record_end", "celerity", "long_wave_celerity",
          "error_percent", "celerity_from_arrivals", "error_percent_from_arrivals"});
     for (std::size_t i = 0; i < waves.gauges.size(); ++i) {
@@ -116,22 +123,25 @@ void write_waves(const std::filesystem::path& path, const Waves& waves, const Pr
                                        g.height,  g.period,      g.greatest,  g.greatest_time,
                                        g.lowest,  g.mean_period, g.record_end};
         const auto celerity = i < waves.to_next.size() ? waves.to_next[i] : analysis::Celerity{};
-        table.append_cells(row(waves, g.x, waves.records[i].source, seen, celerity));
+        table.append_cells(row(waves, waves.records[i].place, waves.records[i].source, seen, celerity));
     }
     const std::vector<double> nothing(11, analysis::none);
-    table.append_cells(row(waves, analysis::none, "all", nothing, waves.overall));
+    table.append_cells(row(waves, {}, "all", nothing, waves.overall));
     table.finish();
 }
 
 std::string describe(const Waves& waves) {
     std::string text =
-        "gauge x (m)  source     arrival (s)  crest (s)  crest (m)  height (m)  period (s)  celerity to next "
+        "gauge (m)            source     arrival (s)  crest (s)  crest (m)  height (m)  period (s)  celerity "
+        "to next "
         "(m/s)\n";
     for (std::size_t i = 0; i < waves.gauges.size(); ++i) {
         const analysis::GaugeWave& g = waves.gauges[i];
         std::string source = waves.records[i].source;
         source.resize(9, ' ');
-        text += cell(g.x, 11, 2) + "  " + source + cell(g.arrival, 13, 3) + cell(g.crest_time, 11, 3) +
+        std::string place = io::place_name(waves.records[i].place);
+        place.resize(std::max(place.size(), std::size_t{19}), ' ');
+        text += place + "  " + source + cell(g.arrival, 13, 3) + cell(g.crest_time, 11, 3) +
                 cell(g.crest, 11, 4) + cell(g.height, 12, 4) + cell(g.period, 12, 3) +
                 cell(i < waves.to_next.size() ? waves.to_next[i].from_crests : analysis::none, 24, 3) + "\n";
     }

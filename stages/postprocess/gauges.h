@@ -7,12 +7,13 @@
 
 #include "analysis/wave.h"
 #include "core/provenance.h"
+#include "io/places.h"
 #include "scene/scene.h"
 
 namespace tidewater::postprocess {
 
 struct GaugeRecord {
-    double x = 0.0;                 // m
+    io::NamedPlace place;           // x, and y if the gauge is told by both
     std::string source;             // "run": written while simulating; "snapshots": read from the frames
     std::vector<double> time;       // s
     std::vector<double> elevation;  // η, m; NaN where dry
@@ -21,14 +22,14 @@ struct GaugeRecord {
 // The records of simulate/gauges.csv. Throws InputError if it is missing or damaged.
 std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path);
 
-// Writes records of equal times as a table with the columns time, x=<x>, ...
+// Writes records of equal times as a table with the columns time, x=<x> or x=<x> y=<y>, ...
 void write_gauges(const std::filesystem::path& path, const std::vector<GaugeRecord>& records,
                   const Provenance& provenance);
 
 struct Waves {
-    std::vector<GaugeRecord> records;         // in the order of x
+    std::vector<GaugeRecord> records;         // in the order of x; those with a y behind, by y
     std::vector<analysis::GaugeWave> gauges;  // of each record
-    std::vector<analysis::Celerity> to_next;  // from each gauge to the next
+    std::vector<analysis::Celerity> to_next;  // from each gauge to the next, none to one of another y
     analysis::Celerity overall;
     double long_wave_celerity = analysis::none;  // √(gD), m/s
 };

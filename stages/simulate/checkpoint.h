@@ -21,7 +21,7 @@ struct RunState {
     std::int64_t frames = 0;                          // of frames
     std::int64_t wrote = 0;                           // 1 if a row or frame is of this very time
     std::vector<double> frame_times;                  // of the frames that lie in the folder, s
-    std::string gauges, ledger;                       // the tables so far
+    std::string gauges, pressures, ledger;            // the tables so far; pressures may be empty
     double start_energy = 0.0, highest_energy = 0.0;  // J
 
     bool begun() const { return rows > 0; }
@@ -34,6 +34,7 @@ struct RunState {
         visit("wrote", wrote);
         visit("frame_times", frame_times);
         visit("gauges", gauges);
+        visit("pressures", pressures);
         visit("ledger", ledger);
         visit("start_energy", start_energy);
         visit("highest_energy", highest_energy);

@@ -12,14 +12,32 @@
 #include "io/text.h"
 #include "mpm/motion.h"
 #include "mpm/pressure.h"
+#include "mpm/sensor.h"
 
 namespace tidewater {
 namespace {
 
-std::vector<std::string> gauge_columns(const std::vector<double>& gauges) {
+std::vector<std::string> gauge_columns(const scene::Points& gauges) {
     std::vector<std::string> columns{"time"};
-    for (const double x : gauges) columns.push_back("x=" + io::format_number(x));
+    for (const auto& gauge : gauges) columns.push_back(io::place_name(gauge_name(gauge)));
     return columns;
+}
+
+std::vector<std::string> pressure_columns(const scene::Points& gauges) {
+    std::vector<std::string> columns{"time"};
+    for (const auto& at : gauges) {
+        io::NamedPlace place{.x = at.front(), .z = at.back()};
+        if (at.size() == 3) place.y = at[1];
+        columns.push_back(io::place_name(place));
+    }
+    return columns;
+}
+
+template <int D>
+std::vector<Vector<D, double>> pressure_points(const scene::Points& gauges) {
+    std::vector<Vector<D, double>> points;
+    for (const auto& at : gauges) points.push_back(Eigen::Map<const Vector<D, double>>(at.data()));
+    return points;
 }
 
 template <int D>
@@ -66,7 +84,7 @@ void remove_file(const std::filesystem::path& path) {
 // Removes what simulate writes, whole or as a part, but for the files with these names.
 void remove_all_but(const std::filesystem::path& folder, const std::set<std::string>& kept) {
     const std::regex ours(
-        R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|ledger\.csv|checkpoint\.h5|log)(\.part)?)");
+        R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|pressures\.csv|ledger\.csv|checkpoint\.h5|log)(\.part)?)");
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
@@ -97,8 +115,14 @@ Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path
       provenance_(provenance),
       tank_(make_tank(scene)),
       places_(gauge_places(scene.simulate.gauges, scene)),
+      sensors_(pressure_points<D>(scene.simulate.pressure_gauges)),
       gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
-      ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {}
+      ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {
+    if (!sensors_.empty()) {
+        pressures_.emplace(folder / "pressures.csv", provenance,
+                           pressure_columns(scene.simulate.pressure_gauges));
+    }
+}
 
 // Appends what is known of a body's failure; NaN where it has not failed, as snapshots have it.
 template <int D, class Real>
@@ -175,6 +199,12 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     const auto surface = surface_at_gauges(s);
     row.insert(row.end(), surface.begin(), surface.end());
     gauges_.append(row);
+    if (pressures_) {
+        row = {s.time};
+        const auto pressure = mpm::pressure_at<D, Real>(s, sensors_);
+        row.insert(row.end(), pressure.begin(), pressure.end());
+        pressures_->append(row);
+    }
 
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
     energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic + s.outflow.energy - s.boundary_work;
@@ -199,6 +229,7 @@ template <int D, class Real>
 void Records<D, Real>::store(RunState& run) {
     run.frame_times = frame_times_;
     run.gauges = gauges_.text();
+    if (pressures_) run.pressures = pressures_->text();
     run.ledger = ledger_.text();
     run.start_energy = start_energy_;
     run.highest_energy = highest_energy_;
@@ -208,6 +239,7 @@ template <int D, class Real>
 void Records<D, Real>::resume(const RunState& run) {
     frame_times_ = run.frame_times;
     gauges_.resume(run.gauges);
+    if (pressures_) pressures_->resume(run.pressures);
     ledger_.resume(run.ledger);
     start_energy_ = run.start_energy;
     highest_energy_ = run.highest_energy;
@@ -218,12 +250,14 @@ void Records<D, Real>::resume(const RunState& run) {
 template <int D, class Real>
 void Records<D, Real>::keep_parts() {
     gauges_.keep_part();
+    if (pressures_) pressures_->keep_part();
     ledger_.keep_part();
 }
 
 template <int D, class Real>
 void Records<D, Real>::finish() {
     gauges_.finish();
+    if (pressures_) pressures_->finish();
     ledger_.finish();
 }
 

@@ -1,7 +1,9 @@
-// What a run writes while it goes: frame_NNNN.hdf with frame.hdf.series, gauges.csv and ledger.csv.
+// What a run writes while it goes: frame_NNNN.hdf with frame.hdf.series, gauges.csv, pressures.csv if the
+// scene has pressure gauges, and ledger.csv.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "analysis/surface.h"
 #include "checkpoint.h"
@@ -25,7 +27,7 @@ public:
     Records(const scene::Scene& scene, const std::filesystem::path& folder, const Provenance& provenance);
 
     void write_frame(const mpm::Simulation<D, Real>& simulation);
-    void append_row(const mpm::Simulation<D, Real>& simulation);  // to gauges.csv and ledger.csv
+    void append_row(const mpm::Simulation<D, Real>& simulation);  // to all tables
 
     // What a checkpoint needs of the records, and how to go on behind it.
     void store(RunState& run);
@@ -52,7 +54,9 @@ private:
     Provenance provenance_;
     analysis::Tank tank_;
     std::vector<analysis::Place> places_;
+    std::vector<Vector<D, double>> sensors_;  // of the pressure, m
     io::TableWriter gauges_;
+    std::optional<io::TableWriter> pressures_;  // only of a scene that has sensors
     io::TableWriter ledger_;
     std::vector<double> frame_times_;
     double start_energy_ = 0.0, energy_ = 0.0, highest_energy_ = 0.0, momentum_residual_ = 0.0;

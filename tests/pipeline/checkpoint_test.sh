@@ -10,7 +10,7 @@ export LC_ALL=C # for the point in EPOCHREALTIME
 checkpoint=cut/simulate/checkpoint.h5
 
 # A few seconds of a block in water; a checkpoint at every turn.
-options=(--set simulate.end_time=6 --set simulate.checkpoint_interval=0.02 --threads 2)
+options=(--set simulate.end_time=6 --set simulate.pressure_gauges=[[1,0],[2,0.25]] --set simulate.checkpoint_interval=0.02 --threads 2)
 # simulate FOLDER [OPTION...]
 simulate() { run "$bin/tidewater-simulate" tiny.toml --run "$1" "${options[@]}" "${@:2}"; }
 # in_background [OPTION...] begins or goes on with the run in cut; $process is its number.
@@ -164,8 +164,8 @@ truncate --size=-100 "$checkpoint"
 refuses "$checkpoint: it is truncated or no HDF5 file; --from start begins the run anew"
 cp stopped/simulate/frame_0000.hdf "$checkpoint"
 refuses "$checkpoint: it is an HDF5 file but no tidewater checkpoint; --from start begins the run anew"
-stopped_run format_version 3
-refuses "$checkpoint: its format version 3 is newer than this program's 2; --from start begins the run anew"
+stopped_run format_version 4
+refuses "$checkpoint: its format version 4 is newer than this program's 3; --from start begins the run anew"
 for array in particle_blocks body0.begin body1.begin; do
     stopped_run "/state/$array" 5
     refuses "$checkpoint: its arrays do not fit each other"

@@ -61,6 +61,7 @@ struct DenseTwin {
         }
         // The start's velocities go to the grid once and come back as the first step reads them.
         scatter(0);
+        for_each_image([&](Node& beyond, Node& image, const Vec& sign) { fold(sign, beyond, image); });
         for (Node& node : grid) node.momentum /= node.mass > 0 ? node.mass : 1;
         gather(0);
     }
@@ -113,6 +114,7 @@ struct DenseTwin {
 
     void step(double dt) {
         scatter(dt);
+        for_each_image([&](Node& beyond, Node& image, const Vec& sign) { fold(sign, beyond, image); });
         for (Node& node : grid) {
             if (node.mass == 0) continue;
             node.momentum /= node.mass;  // velocity from here on
@@ -146,8 +148,9 @@ struct DenseTwin {
         for (const Particle& p : particles) {
             const Mat q = p.mass * p.c - dt * p.volume * 4 / (dx * dx) * stress(p);
             for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                grid[index(i)].mass += w * p.mass;
-                grid[index(i)].momentum += w * (p.mass * p.v + q * d);
+                Node& node = grid[index(place(p, i))];
+                node.mass += w * p.mass;
+                node.momentum += w * (p.mass * p.v + q * d);
             });
         }
     }
@@ -165,13 +168,55 @@ struct DenseTwin {
         }
     }
 
+    // Calls visit(beyond, image, sign) for the nodes just beyond each wall that slips or sticks, wall after
+    // wall: what is beyond is the image times sign.
+    template <class Visit>
+    void for_each_image(const Visit& visit) {
+        for (int wall = 0; wall < 2 * D; ++wall) {
+            const auto axis = static_cast<std::size_t>(wall / 2), side = static_cast<std::size_t>(wall % 2);
+            const auto rule = start.parameters.boundaries.walls[axis][side];
+            if (rule == mpm::WallRule::separate) continue;
+            Vec sign = Vec::Constant(rule == mpm::WallRule::stick ? -1.0 : 1.0);
+            sign[wall / 2] = -1;
+            const int plane = side == 0 ? 0 : start.cells[axis], beyond = side == 0 ? -1 : plane + 1;
+            for (std::size_t n = 0; n < grid.size(); ++n) {
+                Cell node = node_at(n);
+                if (node[axis] != beyond) continue;
+                node[axis] = 2 * plane - beyond;
+                visit(grid[n], grid[index(node)], sign);
+            }
+        }
+    }
+
+    // The node that a particle's node stands for: what of a rigid body reaches just beyond a mirror acts on
+    // the image there, unchanged.
+    Cell place(const Particle& p, Cell node) const {
+        if (material(p) != Material::rigid) return node;
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            const auto& [near, far] = start.parameters.boundaries.walls[axis];
+            const int last = start.cells[axis];
+            if (near != mpm::WallRule::separate && node[axis] == -1) node[axis] = 1;
+            if (far != mpm::WallRule::separate && node[axis] == last + 1) node[axis] = last - 1;
+        }
+        return node;
+    }
+
+    static void fold(const Vec& sign, Node& beyond, Node& image) {
+        image.mass += beyond.mass;
+        image.momentum += sign.cwiseProduct(beyond.momentum);
+        beyond = {};
+    }
+
     void gather(double dt) {
         const double dx = start.cell_size;
+        for_each_image([](Node& beyond, Node& image, const Vec& sign) {
+            beyond.momentum = sign.cwiseProduct(image.momentum);
+        });
         for (Particle& p : particles) {
             p.v.setZero();
             p.c.setZero();
             for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                const Vec& u = grid[index(i)].momentum;
+                const Vec& u = grid[index(place(p, i))].momentum;
                 p.v += w * u;
                 p.c += 4 / (dx * dx) * w * u * d.transpose();
             });

@@ -168,3 +168,24 @@ TEST_CASE("reads a slope in three dimensions, in the middle and at the walls") {
         CHECK(std::abs(elevation[i] - 0.1 * places[i].y) < 0.05 * cell);
     }
 }
+
+TEST_CASE(
+    "reads still water in 3D to a twentieth of a cell off the middle too, wherever it lies between cell "
+    "lines") {
+    const Tank tank{.dimension = 3, .size = {2.0, 1.0, 1.0}, .cell_size = cell, .still_level = 0.5};
+    const std::vector<Place> places{{0.0, 0.0},   {0.37, 0.11}, {1.0, 0.5},
+                                    {1.33, 0.93}, {2.0, 1.0},   {1.71, 0.06}};
+    for (int level = 0; level < 10; ++level) {
+        const double surface = 0.5 + level * cell / 10.0;
+        const auto rows = std::lround(surface / 0.05);
+        const double step = surface / static_cast<double>(rows);
+        Water water;
+        for (double x = 0.025; x < 2.0; x += 0.05) {
+            for (double y = 0.025; y < 1.0; y += 0.05) {
+                for (int k = 0; k < rows; ++k) water.add(x, y, (k + 0.5) * step, 0.0025 * step);
+            }
+        }
+        for (const double elevation : surface_elevation(water.cloud(), tank, places))
+            CHECK(std::abs(elevation + 0.5 - surface) < 0.05 * cell);
+    }
+}

@@ -83,3 +83,17 @@ TEST_CASE("a level set without the metadata of a body is refused by name") {
     CHECK(body_volume(*grid) == 0.2);
     CHECK(body_material(*grid) == Material::rigid);
 }
+
+TEST_CASE("a lattice that is placed by a map fills the body that the map makes, to its edges") {
+    // Twice as long and half as high, and moved.
+    const Box body{{1.3, 0, 0.25}, {0.8, 0.4, 0.25}, 0.0};
+    Seeding seeding{.cell_size = 0.1, .per_axis = 2};
+    seeding.place = [](const Point& p) { return Point(0.5 + 2.0 * p[0], p[1], 0.5 * p[2]); };
+    seeding.margin = 1.0;
+    const auto points = seed_points<2>(*box_grid(body, 0.1), seeding);
+    CHECK(points.size() == 16 * 20);
+    CHECK(points.front().isApprox(Vector<2, double>(0.55, 0.0125)));
+    CHECK(points.back().isApprox(Vector<2, double>(2.05, 0.4875)));
+    const Box tall{{1.3, 0.5, 0.25}, {0.8, 0.3, 0.25}, 0.0};
+    CHECK(seed_points<3>(*box_grid(tall, 0.1), seeding).size() == 16 * 20 * 12);
+}

@@ -174,6 +174,33 @@ TEST_CASE("a pool in a valley stays where it is, whatever the slope and the cell
     }
 }
 
+// Were the bottom wall applied before the bed, the bed would turn what presses on the wall into motion along
+// the slope: metres a second.
+TEST_CASE("still water above a slope whose foot lies on the bottom wall stays still") {
+    const double cell = 0.1, level = 1.0;
+    const Index<2> cells{40, 16};
+    for (const double foot : {2.0, 2.05}) {
+        for (const WallRule rule : {WallRule::separate, WallRule::slip}) {
+            CAPTURE(foot);
+            const auto height = [&](double x) { return std::max(0.0, 0.5 * (x - foot)); };
+            auto start = water_start<2>(cell, cells, 40.0, 0.3, [&](const auto& point) {
+                return point[1] < level && point[1] > height(point[0]);
+            });
+            start.bodies[0].surface = level;
+            start.parameters.boundaries.bed = make_bed<2>(cell, cells, rule, height);
+            auto s = make_simulation<2, double>(start);
+            double fastest = 0.0;
+            while (s.time < 2.0) {
+                advance(s, stable_time_step(s));
+                fastest = std::max(fastest, s.speeds.particle);
+            }
+            const auto after = take_ledger(s);
+            CHECK(fastest < 0.3);
+            CHECK(std::sqrt(2.0 * after.kinetic / after.mass) < 0.02);
+        }
+    }
+}
+
 TEST_CASE("a bed without heights, and one below all nodes, changes nothing") {
     auto start = test::tank_start<2>(0.1, {20, 10}, 0.5, 30.0);
     const auto run = [&] {

@@ -28,6 +28,18 @@ TEST_CASE("a piston starts at rest and its place is the integral of its speed") 
     CHECK(!Piston{}.exists());
 }
 
+TEST_CASE("the wall that a piston or a push replaces does not mirror, the others do") {
+    Boundaries<2> boundaries;
+    CHECK(mirrors_of(boundaries)[0][0] == Mirror::slip);
+    boundaries.piston.height = 0.2;
+    CHECK(mirrors_of(boundaries)[0][0] == Mirror::none);
+    CHECK(mirrors_of(boundaries)[0][1] == Mirror::slip);
+    CHECK(mirrors_of(boundaries)[1][0] == Mirror::slip);
+    boundaries.piston.height = 0.0;
+    boundaries.push.speed = 1.0;
+    CHECK(mirrors_of(boundaries)[0][0] == Mirror::none);
+}
+
 TEST_CASE("a sponge's damping rises with the square of the way into it") {
     const Sponge sponge{.from = 6.0, .width = 4.0, .rate = 8.0};
     CHECK(sponge.damping(6.0) == 0.0);

@@ -6,6 +6,7 @@
 
 #include "support/flight.h"
 #include "support/state.h"
+#include "support/tank.h"
 
 using namespace tidewater;
 using namespace tidewater::mpm;
@@ -78,5 +79,22 @@ TEST_CASE_TEMPLATE("a start has the momenta that were asked for and affine motio
             CHECK((state.v[p] - body.velocity[p]).norm() < 1e-13);
             CHECK((state.c[p] - body.gradient[p]).norm() < 1e-12);
         }
+    }
+}
+
+TEST_CASE(
+    "water starts with the pressure of the depth below its surface, or of the head that each point is "
+    "given") {
+    auto start = test::tank_start<2>(0.1, {10, 10}, 0.5, 62.0);
+    auto& water = start.bodies[0];
+    const auto plain = make_simulation<2, double>(start);
+    for (const auto& point : water.points) water.head.push_back(0.5 - point[1]);
+    CHECK(state_hash(make_simulation<2, double>(start)) == state_hash(plain));
+    for (double& head : water.head) head *= 2.0;
+    const auto pressed = make_simulation<2, double>(start);
+    const auto& model = start.parameters.water;
+    for (std::size_t p = 0; p < pressed.bodies[0].size(); ++p) {
+        const double head = water.head[pressed.bodies[0].id[p]];
+        CHECK(pressed.bodies[0].j[p] == hydrostatic_j(head, start.parameters.gravity, model));
     }
 }

@@ -60,6 +60,8 @@ TEST_CASE("keys reach members of their own") {
                 value = "changed";
             else if constexpr (std::is_same_v<T, std::vector<double>>)
                 value = {7.0};
+            else if constexpr (std::is_same_v<T, Points>)
+                value = {{7.0}, {1.0, 2.0}};
             else if constexpr (std::is_same_v<T, std::vector<std::string>>)
                 value = {"changed"};
             else

@@ -25,9 +25,22 @@ TEST_CASE("every type of key reads from the file") {
         "gauges = [1, 2.5]\nprecision = \"double\"\n[particles]\nper_axis = 3\n[domain.unused]\n");
     CHECK(scene.title == "a \"b\"");
     CHECK(scene.seed == 9223372036854775807u);
-    CHECK(scene.simulate.gauges == std::vector<double>{1.0, 2.5});
+    CHECK(scene.simulate.gauges == Points{{1.0}, {2.5}});
     CHECK(scene.simulate.precision == Precision::double_precision);
     CHECK(scene.particles.per_axis == 3);
+}
+
+TEST_CASE("gauges are places along the tank or points, and print as they were written") {
+    const Sets sets{"simulate.gauges=[0.5, [2, 0.25], [3]]", "postprocess.gauges=[[1, 2]]",
+                    "simulate.pressure_gauges=[[4, 1, 0], [2, 0.5, 0.25]]"};
+    const Scene scene = read_text_as_scene(water_scene_3d, sets);
+    CHECK(scene.simulate.gauges == Points{{0.5}, {2.0, 0.25}, {3.0}});
+    CHECK(scene.postprocess.gauges == Points{{1.0, 2.0}});
+    CHECK(scene.simulate.pressure_gauges == Points{{4.0, 1.0, 0.0}, {2.0, 0.5, 0.25}});
+    CHECK(resolved_text(scene).find("\ngauges = [0.5, [2, 0.25], 3] ") != std::string::npos);
+    CHECK(resolved_text(read_text_as_scene(resolved_text(scene))) == resolved_text(scene));
+    CHECK(problem(water_scene_3d, {"simulate.gauges=[[1, \"a\"]]"})
+              .find("needs a list of numbers or points in m") != std::string::npos);
 }
 
 TEST_CASE("sections may be headers, dotted keys or inline tables") {
@@ -94,11 +107,12 @@ TEST_CASE("a wrong type is told with what is needed, an example and what was fou
     CHECK(set_problem("seed=-1") == "needs a whole number of 0 or more, e.g. seed = 1; got -1");
     CHECK(set_problem("title=3") ==
           "needs text in quotes, e.g. title = \"A block falls into the tank\"; got 3");
-    CHECK(set_problem("simulate.gauges=2") == "needs a list of numbers in m, e.g. gauges = [2, 4.5]; got 2");
+    CHECK(set_problem("simulate.gauges=2") ==
+          "needs a list of numbers or points in m, e.g. gauges = [2, 4.5]; got 2");
     CHECK(set_problem("simulate.gauges=[\"a\", \"b\"]") ==
-          "needs a list of numbers in m, e.g. gauges = [2, 4.5]; got a list of 2 words");
+          "needs a list of numbers or points in m, e.g. gauges = [2, 4.5]; got a list of 2 words");
     CHECK(set_problem("simulate.gauges=[2, \"b\"]") ==
-          "needs a list of numbers in m, e.g. gauges = [2, 4.5]; got a list of numbers and words");
+          "needs a list of numbers or points in m, e.g. gauges = [2, 4.5]; got a list of numbers and words");
     CHECK(set_problem("block.size=true") ==
           "needs a list with one number per dimension in m, e.g. size = [0.5, 0.5]; got true");
     CHECK(set_problem("effects=[1]") ==
@@ -160,8 +174,8 @@ TEST_CASE("a key of an effect that is not named is an error") {
 TEST_CASE("an unknown effect is told with the nearest known one") {
     CHECK(set_problem("effects=[\"watter\", \"rigid\"]") ==
           "unknown effect \"watter\"; did you mean \"water\"?");
-    CHECK(set_problem("effects=[\"lava\"]") ==
-          "unknown effect \"lava\"; known are water, rigid, ice, fracture, shelf, bed, push, "
+    CHECK(set_problem("effects=[\"magma\"]") ==
+          "unknown effect \"magma\"; known are water, wave, rigid, ice, fracture, shelf, bed, push, "
           "piston, outlet, sponge and settle");
 }
 

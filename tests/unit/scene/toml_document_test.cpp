@@ -28,7 +28,10 @@ TEST_CASE("values are described for messages") {
     CHECK(describe(parse_value("[]")) == "an empty list");
     CHECK(describe(parse_value("[1]")) == "a list of 1 number");
     CHECK(describe(parse_value("[\"a\", \"b\"]")) == "a list of 2 words");
-    CHECK(describe(parse_value("[[1], [2]]")) == "a list of other things");
+    CHECK(describe(parse_value("[[1], [2]]")) == "a list of 2 points");
+    CHECK(describe(parse_value("[1, [2, 3]]")) == "a list of 2 points");
+    CHECK(describe(parse_value("[[1], true]")) == "a list of other things");
+    CHECK(describe(parse_value("[[[1]], [2]]")) == "a list of other things");
     CHECK(describe(parse_value("[{a = 1}]")) == "a list of sections");
     CHECK(describe(parse_value("true")) == "true");
     CHECK(describe(parse_value("07:32:00")) == "a date or time");
