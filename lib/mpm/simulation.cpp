@@ -40,7 +40,10 @@ void sort_if_needed(Simulation<D, Real>& s) {
                             " m/s; use a smaller simulate.cfl");
     }
     if (s.drift + cells > sorting_margin) {
-        if (s.parameters.outlet.exists() && !s.settling.going) drain(s);
+        if (!s.settling.going) {
+            if (s.parameters.outlet.exists()) drain(s);
+            skim(s);
+        }
         sort_into_blocks<D, Real>(s.grid, s.bodies);
         s.drift = 0.0;
     }

@@ -2,10 +2,12 @@
 //
 //     v ← v/(1 + σ Δt),   σ(x) = rate ((x − from)/width)²   for x > from
 //
-// A long wave that runs through it to the wall and back is left with exp(−rate width/3c) of its height,
-// c = √(gD). But the sponge takes momentum alone: the volume that a solitary wave brings stays and flows back
-// as a long, low wave. Of a crest of 0.2 D (strength = rate width/c of 10) 58, 46 and 32 % return from widths
-// of 3, 5 and 10 D. Test: tests/unit/mpm/flume_test.cpp.
+// and, if `level` is given, σ of what stands above the still level leaves in a second too (mpm/skim.h). Long
+// waves, η = u √(D/g), then enter without an echo: both are damped alike. rate = 10 c/width, c = √(gD), is
+// about the best. What comes back of a solitary wave of 0.2 D, crest and trough, stands in
+// tests/validation/README.md: 3 % at most from a width of 6 D on. Without a level the wave's volume stays and
+// flows back as a long, low wave: 58, 46 and 32 % from widths of 3, 5 and 10 D.
+// Tests: tests/unit/mpm/flume_test.cpp, tests/validation/flume_test.cpp.
 #pragma once
 
 #include "mpm/wall.h"
@@ -16,6 +18,7 @@ struct Sponge {
     double from = 0.0;   // m
     double width = 0.0;  // m, up to the right wall; 0: no sponge
     double rate = 0.0;   // 1/s, σ at the wall
+    double level = 0.0;  // m, of still water; 0: takes no water
 
     bool exists() const { return width > 0.0; }
     double damping(double x) const;  // σ, 1/s

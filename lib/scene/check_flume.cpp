@@ -103,6 +103,12 @@ void check_piston(Reading& reading) {
 void check_sponge(Reading& reading) {
     const Scene& scene = reading.scene;
     if (!reading.usable({"effects", "domain.size", "sponge.width"}) || !scene.has("sponge")) return;
+    const double from = scene.domain.size.front() - scene.sponge.width;
+    if (scene.has("shelf") && reading.usable({"shelf.length"}) && from < scene.shelf.length) {
+        reading.report("sponge.width", metres(scene.sponge.width) +
+                                           " reaches onto the shelf, which ends at " +
+                                           metres(scene.shelf.length) + "; shorten it or lengthen the tank");
+    }
     if (scene.sponge.width < scene.domain.size.front()) return;
     reading.report("sponge.width", metres(scene.sponge.width) + " fills the tank, " +
                                        metres(scene.domain.size.front()) +

@@ -397,14 +397,15 @@ constexpr std::array keys{
         .effect = "sponge",
         .required = true,
         .stages = by_simulate,
-        .help = "up to the right wall, in which waves are damped, ever more towards the wall; the volume "
-                "that a wave brings stays"},
+        .help =
+            "up to the right wall, in which waves are damped, ever more towards the wall, and leave their "
+            "volume; 6 depths and more"},
     Key{.name = "sponge.strength",
         .member = member<&S::sponge, &S::Sponge::strength>(),
         .range = positive,
         .effect = "sponge",
         .stages = by_simulate,
-        .help = "of the damping at the wall, in √(g water.depth)/width"},
+        .help = "of the damping at the wall, in √(g water.depth)/width; 10 is about the best"},
 
     Key{.name = "settle.tolerance",
         .unit = "Pa",

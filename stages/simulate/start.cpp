@@ -50,7 +50,8 @@ mpm::Sponge make_sponge(const scene::Scene& scene) {
     const double width = scene.sponge.width, celerity = std::sqrt(scene.domain.gravity * scene.water.depth);
     return {.from = scene.domain.size.front() - width,
             .width = width,
-            .rate = scene.sponge.strength * celerity / width};
+            .rate = scene.sponge.strength * celerity / width,
+            .level = scene.water.depth};
 }
 
 template <int D>
