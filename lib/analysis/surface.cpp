@@ -29,9 +29,9 @@ double spline_integral(double u) {
     return u < 1.5 ? 1.0 - (1.5 - u) * (1.5 - u) * (1.5 - u) / 6.0 : 1.0;
 }
 
-// c: the share of the spline centred at `center` that lies in [0, size].
-double share_inside(double center, double size, double cell_size) {
-    return spline_integral((size - center) / cell_size) - spline_integral(-center / cell_size);
+// c: the share of the spline centred at `center` that lies in [low, high].
+double share_inside(double center, double low, double high, double cell_size) {
+    return spline_integral((high - center) / cell_size) - spline_integral((low - center) / cell_size);
 }
 
 // Places in the order of x, and where each column of cells starts among them.
@@ -108,11 +108,13 @@ Lines spread_volume(const ParticleCloud& cloud, const Tank& tank, std::span<cons
 }
 
 // z where φ, from the bed upward, first falls through one half.
-double find_surface(std::span<const double> volume, double spacing, double full, const Tank& tank) {
+double find_surface(std::span<const double> volume, double spacing, double full, double bed,
+                    const Tank& tank) {
     double below = 0.0;
-    for (std::size_t k = 0; k < volume.size(); ++k) {
+    const auto first = static_cast<std::size_t>(std::ceil(std::max(bed, 0.0) / spacing - 1e-9));
+    for (std::size_t k = first; k < volume.size(); ++k) {
         const double z = std::min(static_cast<double>(k) * spacing, tank.size[2]);
-        const double fraction = volume[k] / (full * share_inside(z, tank.size[2], tank.cell_size));
+        const double fraction = volume[k] / (full * share_inside(z, bed, tank.size[2], tank.cell_size));
         if (below >= 0.5 && fraction < 0.5) {
             return z - spacing * (0.5 - fraction) / (below - fraction);
         }
@@ -132,10 +134,10 @@ std::vector<double> surface_elevation(const ParticleCloud& cloud, const Tank& ta
     std::vector<double> elevation;
     for (std::size_t i = 0; i < places.size(); ++i) {
         double full = std::pow(tank.cell_size, tank.dimension);
-        full *= share_inside(places[i].x, tank.size[0], tank.cell_size);
-        if (tank.dimension == 3) full *= share_inside(places[i].y, tank.size[1], tank.cell_size);
+        full *= share_inside(places[i].x, 0.0, tank.size[0], tank.cell_size);
+        if (tank.dimension == 3) full *= share_inside(places[i].y, 0.0, tank.size[1], tank.cell_size);
         const auto line = std::span(lines.volume).subspan(i * lines.samples, lines.samples);
-        elevation.push_back(find_surface(line, lines.spacing, full, tank) - tank.still_level);
+        elevation.push_back(find_surface(line, lines.spacing, full, places[i].bed, tank) - tank.still_level);
     }
     return elevation;
 }

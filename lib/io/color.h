@@ -18,6 +18,7 @@ inline constexpr Color ink{38, 42, 48};
 inline constexpr Color faint{200, 204, 210};
 inline constexpr Color air{246, 248, 250};
 inline constexpr Color rigid{226, 168, 92};
+inline constexpr Color ground{168, 152, 132};
 inline constexpr Color ice{214, 232, 240};
 inline constexpr Color failed_ice{98, 94, 92};
 }  // namespace palette

@@ -138,6 +138,31 @@ void draw_particles(Canvas& canvas, const PictureParticles& particles, const Pic
     }
 }
 
+// The ground as a filled shape from the tank's bottom up.
+void draw_ground(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
+    const auto& x = settings.ground_x;
+    const auto& z = settings.ground_z;
+    if (settings.dimension != 2 || x.empty()) return;
+    const auto piece = [&](double from, double z_from, double to, double z_to) {
+        const double left = std::max(from, 0.0), right = std::min(to, settings.size[0]);
+        if (left >= right) return;
+        const auto height = [&](double at) { return z_from + (z_to - z_from) * (at - from) / (to - from); };
+        const Pixel a = layout.view.project({left, 0.0, 0.0}), b = layout.view.project({right, 0.0, 0.0});
+        const Pixel c = layout.view.project({right, 0.0, height(right)});
+        const Pixel d = layout.view.project({left, 0.0, height(left)});
+        for (int column = static_cast<int>(std::floor(a.x)); column < b.x; ++column) {
+            const double from_x = std::max(a.x, static_cast<double>(column));
+            const double to_x = std::min(b.x, column + 1.0);
+            const double top = d.y + (c.y - d.y) * (0.5 * (from_x + to_x) - a.x) / (b.x - a.x);
+            canvas.rectangle({from_x, top}, {to_x, a.y}, palette::ground);
+        }
+        canvas.line(d, c, 1.5 * layout.unit, palette::ink);
+    };
+    piece(std::min(x.front(), 0.0) - 1.0, z.front(), x.front(), z.front());
+    for (std::size_t i = 1; i < x.size(); ++i) piece(x[i - 1], z[i - 1], x[i], z[i]);
+    piece(x.back(), z.back(), std::max(x.back(), settings.size[0]) + 1.0, z.back());
+}
+
 void draw_scale(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
     const double u = layout.unit, length = 380 * u, right = canvas.width() - 36 * u, left = right - length;
     const double top = 22 * u, bottom = 38 * u;
@@ -272,6 +297,7 @@ Canvas draw_picture(const PictureParticles& particles, const PictureSettings& se
     if (settings.dimension == 2) canvas.rectangle(layout.low, layout.high, palette::air);
     draw_edges(canvas, settings, layout, false);
     draw_particles(canvas, particles, settings, layout);
+    draw_ground(canvas, settings, layout);
     draw_edges(canvas, settings, layout, true);
     draw_still_level(canvas, settings, layout);
     draw_gauges(canvas, settings, layout);

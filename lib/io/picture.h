@@ -29,7 +29,9 @@ struct PictureSettings {
     double time = 0.0;              // s
     std::string title;
     std::vector<std::array<double, 2>> gauges;  // (x, y), m; y is not read in 2D
-    int width = 1600;                           // pixels, at least 400; the height follows from the tank
+    // Corners of the ground, m; x rises, level beyond the ends, for all y; drawn in 2D. Empty: none.
+    std::vector<double> ground_x, ground_z;
+    int width = 1600;  // pixels, at least 400; the height follows from the tank
 };
 
 // Water is coloured by its speed, ice by its damage, rigid blocks by their own colour; both have a dark

@@ -8,6 +8,11 @@
 namespace tidewater::mpm {
 namespace {
 
+template <int D>
+bool replaces_left_wall(const Boundaries<D>& boundaries) {
+    return boundaries.push.exists() || boundaries.piston.exists();
+}
+
 // The velocity at a wall of the given axis; `outward` is −1 at the origin's wall and +1 at the far one.
 template <int D, class Real>
 void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
@@ -62,7 +67,7 @@ template <int D, class Real>
 void apply_walls(const Layout<D>& layout, const Limits<D>& limits, const Index<D>& node,
                  Node<Real>& velocity) {
     for (std::size_t axis = 0; axis < D; ++axis) {
-        const bool replaced = axis == 0 && limits.of.push.exists();
+        const bool replaced = axis == 0 && replaces_left_wall(limits.of);
         const auto& [near, far] = limits.of.walls[axis];
         if (node[axis] <= 0 && !replaced) apply_rule<D>(near, static_cast<int>(axis), -1, velocity);
         if (node[axis] >= layout.cells[axis]) apply_rule<D>(far, static_cast<int>(axis), 1, velocity);
@@ -100,7 +105,7 @@ Mirrors<D> mirrors_of(const Boundaries<D>& boundaries) {
     Mirrors<D> mirrors{};
     for (std::size_t axis = 0; axis < D; ++axis) {
         for (std::size_t side = 0; side < 2; ++side) {
-            if (axis == 0 && side == 0 && boundaries.push.exists()) continue;
+            if (axis == 0 && side == 0 && replaces_left_wall(boundaries)) continue;
             const WallRule rule = boundaries.walls[axis][side];
             if (rule == WallRule::slip) mirrors[axis][side] = Mirror::slip;
             if (rule == WallRule::stick) mirrors[axis][side] = Mirror::stick;
@@ -115,27 +120,15 @@ WallAction<D> apply_boundaries(const Layout<D>& layout, const Boundaries<D>& bou
     WallAction<D> action;
     const Limits<D> limits(layout, boundaries, time);
     if (!reaches_block(layout, limits, block)) return action;
-    for (int n = 0; n < Block<D>::nodes; ++n) {
-        Node<Real>& node = nodes[n];
-        if (!(node[mass_lane] > Real(0))) continue;
-        Index<D> at;
-        for (int axis = D - 1, rest = n; axis >= 0; --axis, rest /= Block<D>::width) {
-            const auto a = static_cast<std::size_t>(axis);
-            at[a] = layout.first_node(block[a]) + rest % Block<D>::width;
-        }
-        const Node<Real> before = node;
+    action.impulse = change_nodes<D, Real>(layout, block, nodes, [&](const Index<D>& at, Node<Real>& node) {
         apply_walls(layout, limits, at, node);
         apply_shelf(limits, at, node);
-        const double mass = static_cast<double>(node[mass_lane]);
-        if (at[0] <= limits.pushed) {
-            const auto velocity = std::max(node[0], static_cast<Real>(limits.push_velocity));
-            action.work += mass * static_cast<double>(velocity - node[0]) * limits.push_velocity;
-            node[0] = velocity;
-        }
-        const Vector<D, double> from = before.template head<D>().template cast<double>().matrix();
-        const Vector<D, double> to = node.template head<D>().template cast<double>().matrix();
-        action.impulse += mass * (to - from);
-    }
+        if (at[0] > limits.pushed) return;
+        const auto velocity = std::max(node[0], static_cast<Real>(limits.push_velocity));
+        const auto gain = static_cast<double>(velocity - node[0]);
+        action.work += static_cast<double>(node[mass_lane]) * gain * limits.push_velocity;
+        node[0] = velocity;
+    });
     return action;
 }
 

@@ -1,23 +1,20 @@
-// What holds or moves the nodes at the edges of a scene: the walls of its box, a shelf in it, and a plane
-// that pushes from the left.
+// What holds or moves the nodes at the edges of a scene: the walls of its box, a shelf in it, a plane that
+// pushes from the left; and what has its own files, a bed, a piston and a sponge.
 //
-//     slip      the velocity into or out of the wall is zero, along it free
-//     stick     the velocity is zero
-//     separate  as slip, but what moves away from the wall may leave it
-//
-// A rule acts on the grid nodes on the wall's plane and beyond it. Just beyond a wall of the box that slips
-// or sticks, velocities mirror those inside (mpm/mirror.h), so that particles near it move towards the plane
-// ever slower and do not pass it; beyond `separate` walls, shelf and push one can come half a cell. Source:
-// shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
+// A rule (mpm/wall.h) acts on the grid nodes on the wall's plane and beyond it. Just beyond a wall of the box
+// that slips or sticks, velocities mirror those inside (mpm/mirror.h), so that particles near it move towards
+// the plane ever slower and do not pass it; beyond `separate` walls, shelf and push one can come half a cell.
+// Source: shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
 #pragma once
 
 #include <array>
 
-#include "mpm/grid.h"
+#include "mpm/bed.h"
+#include "mpm/piston.h"
+#include "mpm/sponge.h"
+#include "mpm/wall.h"
 
 namespace tidewater::mpm {
-
-enum class WallRule { slip, stick, separate };
 
 // [axis][0: at the origin, 1: at the far end]
 template <int D>
@@ -49,18 +46,14 @@ struct Boundaries {
     Walls<D> walls{};
     Shelf shelf;
     Push push;
+    Bed<D> bed;
+    Piston piston;  // takes the place of the left wall
+    Sponge sponge;
 };
 
-// The walls that mirror: those that slip or stick and are not replaced by the plane that pushes.
+// The walls that mirror: those that slip or stick and are not replaced by a plane that pushes or a piston.
 template <int D>
 Mirrors<D> mirrors_of(const Boundaries<D>& boundaries);
-
-// What they did to the nodes of one block.
-template <int D>
-struct WallAction {
-    Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
-    double work = 0.0;  // J, of the plane that pushes: its impulse times its speed
-};
 
 // Applies them to the velocities that one block of nodes has at `time`; `block` as block_at gives it.
 template <int D, class Real>

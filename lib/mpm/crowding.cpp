@@ -87,6 +87,19 @@ void smooth(Real* e) {
     }
 }
 
+// Whether the ground reaches into what a node's spline covers.
+template <int D>
+bool beside_bed(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& node) {
+    if (!bed.exists()) return false;
+    Vector<D - 1, double> at;
+    for (int axis = 0; axis < D - 1; ++axis) {
+        at[axis] = layout.cell_size * node[static_cast<std::size_t>(axis)];
+    }
+    const double above = layout.cell_size * node[D - 1] - bed.height(at);
+    const double normal_z = 1.0 / std::sqrt(1.0 + bed.slope(at, layout.cell_size).squaredNorm());
+    return above * normal_z < 1.5 * layout.cell_size;
+}
+
 // Whether a node lies beside something that holds nodes without mirroring them.
 template <int D>
 bool beside_held(const Layout<D>& layout, const Boundaries<D>& boundaries, double time,
@@ -99,13 +112,16 @@ bool beside_held(const Layout<D>& layout, const Boundaries<D>& boundaries, doubl
     }
     const Shelf& shelf = boundaries.shelf;
     if (shelf.exists() && node[0] <= cells(shelf.end) && node[D - 1] <= cells(shelf.top)) return true;
-    return boundaries.push.exists() && node[0] <= cells(boundaries.push.position(time)) + 1.0;
+    if (boundaries.push.exists() && node[0] <= cells(boundaries.push.position(time)) + 1.0) return true;
+    if (boundaries.piston.exists() && node[0] <= cells(boundaries.piston.position(time)) + 1.0) return true;
+    return beside_bed(layout, boundaries.bed, node);
 }
 
 template <int D, class Real>
 bool all_mirrors_and_water(const Simulation<D, Real>& s) {
     const Boundaries<D>& boundaries = s.parameters.boundaries;
-    bool known = !boundaries.shelf.exists() && !boundaries.push.exists();
+    bool known = !boundaries.shelf.exists() && !boundaries.push.exists() && !boundaries.bed.exists() &&
+                 !boundaries.piston.exists();
     for (const auto& axis : s.grid.layout.mirrors) {
         for (const Mirror mirror : axis) known = known && mirror != Mirror::none;
     }

@@ -3,6 +3,7 @@
 //     momentum(t) = momentum(0) + gravity impulse + wall impulse − outflow      closes to rounding
 //     kinetic + gravitational + elastic − boundary work + outflow               falls by the scheme's loss
 //                                                                               and what failing ice takes
+//     (boundary work: of pushes and pistons, less what a sponge's damping took)
 //
 // Velocities have the forces of the coming step already (mpm/simulation.h), so kinetic energy runs ahead of
 // the others by its change in half a step: the sum may seem to grow by that much, and no more.

@@ -1,9 +1,6 @@
 #include "mpm/outlet.h"
 
-#include <algorithm>
-
-#include "mpm/ledger.h"
-#include "mpm/motion.h"
+#include "mpm/simulation.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -32,41 +29,6 @@ std::vector<std::size_t> passed(const Simulation<D, Real>& s, const Particles<D,
     return gone;
 }
 
-template <int D, class Real>
-void account(Simulation<D, Real>& s, const Particles<D, Real>& particles, std::size_t slot,
-             const std::vector<std::size_t>& gone) {
-    const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
-    Tile<D, Real> tile;
-    load_velocities(s.grid, slot, Parity::velocity, tile.data());
-    for (const std::size_t p : gone) {
-        const Ledger<D> part = particle_ledger(s, particles, block, p, tile);
-        s.outflow.mass += part.mass;
-        s.outflow.momentum += part.momentum;
-        s.outflow.energy += part.kinetic + part.gravitational + part.elastic;
-    }
-}
-
-// Keeps the rest of every column; `gone` is rising.
-template <int D, class Real>
-void remove_particles(const std::vector<std::size_t>& gone, Particles<D, Real>& particles) {
-    const std::size_t count = particles.size();
-    for_each_column(particles, [&](const std::string&, auto& column) {
-        if (column.empty()) return;
-        std::size_t to = gone.front();
-        for (std::size_t next = 0, p = to; p < count; ++p) {
-            if (next < gone.size() && p == gone[next])
-                ++next;
-            else
-                column[to++] = column[p];
-        }
-        column.resize(to);
-    });
-    for (auto& begin : particles.begin) {
-        const auto before = std::lower_bound(gone.begin(), gone.end(), begin) - gone.begin();
-        begin -= static_cast<std::uint32_t>(before);
-    }
-}
-
 }  // namespace
 
 template <int D, class Real>
@@ -76,11 +38,9 @@ void drain(Simulation<D, Real>& s) {
         std::vector<std::size_t> gone;
         for (std::size_t slot = 0; slot < s.grid.particle_blocks.size(); ++slot) {
             const auto of_block = passed(s, particles, slot);
-            if (of_block.empty()) continue;
-            account(s, particles, slot, of_block);
             gone.insert(gone.end(), of_block.begin(), of_block.end());
         }
-        if (!gone.empty()) remove_particles(gone, particles);
+        let_out(gone, particles, s);
     }
 }
 

@@ -3,7 +3,7 @@
 // Test: tests/unit/mpm/outlet_test.cpp.
 #pragma once
 
-#include "mpm/particles.h"
+#include "mpm/outflow.h"
 
 namespace tidewater::mpm {
 
@@ -17,19 +17,10 @@ struct Outlet {
     bool exists() const { return level > 0.0; }
 };
 
-// All that has left since the start.
-template <int D>
-struct Outflow {
-    double mass = 0.0;                                       // kg
-    Vector<D, double> momentum = Vector<D, double>::Zero();  // kg m/s
-    double energy = 0.0;                                     // J, kinetic, gravitational and elastic
-};
-
 template <int D, class Real>
 struct Simulation;
 
-// Removes the water that has passed the outlet, in order, and adds it to s.outflow. The nodes keep their
-// velocities; blocks may stay without particles until they are sorted.
+// Lets out the water that has passed the outlet (mpm/outflow.h).
 template <int D, class Real>
 void drain(Simulation<D, Real>& s);
 

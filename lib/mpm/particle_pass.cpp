@@ -151,8 +151,8 @@ template <int D, class Real>
 PassContext<D, Real>::PassContext(const Simulation<D, Real>& s, double next_dt)
     : cells_per_speed(static_cast<Real>(s.dt / s.grid.layout.cell_size)),
       shift(static_cast<Real>(rounding_shift(s.step))),
-      least_growth(static_cast<Real>(
-          s.parameters.water.scheme == WaterScheme::density ? mpm::least_growth : -1e30)),
+      least_growth(
+          static_cast<Real>(s.parameters.water.scheme == WaterScheme::density ? mpm::least_growth : -1e30)),
       crowding_rate(static_cast<Real>(mpm::crowding_rate(s.parameters, s.grid.layout.cell_size, s.dt))),
       impulse(4.0 * next_dt / s.grid.layout.cell_size),
       ice(s.parameters.ice),

@@ -62,7 +62,10 @@ void sort_if_needed(Simulation<D, Real>& s) {
                             " m/s; use a smaller simulate.cfl");
     }
     if (s.drift + cells > sorting_margin) {
-        if (s.parameters.outlet.exists() && !s.settling.going) drain(s);
+        if (!s.settling.going) {
+            if (s.parameters.outlet.exists()) drain(s);
+            skim(s);
+        }
         sort_into_blocks<D, Real>(s.grid, s.bodies);
         mark_unknown_fill(s);
         s.drift = 0.0;
@@ -189,10 +192,17 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
     std::vector<double> speed2(actions.size());
     const double time = s.settling.going ? -1.0 : s.time + s.dt;  // before any push
-    const auto finish = [&](std::size_t slot) {
+    const Layout<D>& layout = s.grid.layout;
+    const Boundaries<D>& boundaries = s.parameters.boundaries;
+    const MovingPlane piston = plane_at(layout.cell_size, boundaries.piston, time);
+    const auto finish = [&](std::size_t slot, double dt) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         const Index<D> block = block_at<D>(s.grid.node_blocks[slot]);
-        actions[slot] = apply_boundaries<D, Real>(s.grid.layout, s.parameters.boundaries, time, block, nodes);
+        // The bed first: after the bottom wall it would turn what presses on a slope into motion along it.
+        actions[slot] = apply_bed<D, Real>(layout, boundaries.bed, block, nodes);
+        actions[slot].add(apply_boundaries<D, Real>(layout, boundaries, time, block, nodes));
+        actions[slot].add(apply_plane<D, Real>(layout, piston, block, nodes));
+        actions[slot].add(apply_sponge<D, Real>(layout, boundaries.sponge, dt, block, nodes));
         speed2[slot] = greatest_speed2<D, Real>(nodes);
     };
     const bool plain = s.rigid.empty();
@@ -200,14 +210,14 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         sum_tiles<D, Real>(s.grid.tiles_of_node[slot], s.grid.tiles.data(), nodes);
         momentum_to_velocity<D, Real>(kick, nodes);
-        if (plain) finish(slot);
+        if (plain) finish(slot, next_dt);
     });
     if (!plain) {
         std::size_t next = 0;
         for (const auto& particles : s.bodies) {
             if (particles.material == Material::rigid) move_nodes_as_one(particles, s.rigid[next++], s.grid);
         }
-        parallel_for(actions.size(), finish);
+        parallel_for(actions.size(), [&](std::size_t slot) { finish(slot, next_dt); });
     }
     double greatest = 0.0;
     const auto take_actions = [&] {
@@ -222,7 +232,7 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     take_actions();
     if (s.parameters.transfer == Transfer::restored) {
         restore_velocities(s);
-        parallel_for(actions.size(), finish);
+        parallel_for(actions.size(), [&](std::size_t slot) { finish(slot, 0.0); });
         take_actions();
     }
     s.speeds.particle = std::sqrt(greatest);

@@ -2,7 +2,7 @@
 //
 // Between steps a particle keeps its place and its strain only; velocities are on the grid. advance(s, next)
 // is one step, in these stages; each is a parallel loop over blocks that write only their own data:
-//     sort        only when a particle might leave its block's margin
+//     sort        only when a particle might leave its block's margin; before it outlet and sponge take water
 //     pass        nodes → particles (G2P), strain and position advance by s.dt, then particles → tiles (P2G)
 //                 with the forces of the coming step `next`: all while a batch of particles is in the cache
 //     grid        tiles → nodes, momentum → velocity, gravity, rigid bodies' nodes, walls
@@ -26,6 +26,7 @@
 #include "mpm/ice.h"
 #include "mpm/outlet.h"
 #include "mpm/rigid.h"
+#include "mpm/skim.h"
 #include "mpm/water.h"
 
 namespace tidewater::mpm {
@@ -81,8 +82,9 @@ struct Simulation {
 
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that the walls gave since the start
     double gravity_impulse = 0.0;                                // along the last axis, likewise
-    double boundary_work = 0.0;                                  // J that what pushes did since the start
-    Outflow<D> outflow;                                          // what left through the outlet
+    double boundary_work = 0.0;  // J by what moves since the start, less what sponges took
+    Outflow<D> outflow;          // what left through the outlet and the sponge
+    Skimming skimming;
     Settling settling;
     std::array<double, phase_names.size()> seconds{};  // wall time per Phase
 

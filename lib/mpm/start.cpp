@@ -34,7 +34,9 @@ std::vector<double> compress(const Start<D>& start, typename Start<D>::Body& bod
     for (std::size_t p = 0; p < j.size(); ++p) {
         const double depth = std::max(j[p], 0.0);
         double& z = body.points[p][D - 1];
-        const double column = std::max(z, 0.0) + depth;
+        const Bed<D>& bed = start.parameters.boundaries.bed;
+        const double ground = bed.exists() ? bed.height(body.points[p].template head<D - 1>()) : 0.0;
+        const double column = std::max(z - ground, 0.0) + depth;
         const double mean = depth > 0.0 ? weighed_depth(column, gravity, water) / column : 1.0;
         if (depth > 0.0) z += depth - depth_of_weight(mean * depth, gravity, water);
         j[p] = j_under_weight(mean * depth, gravity, water);

@@ -26,7 +26,7 @@ struct Start {
 
 // Time 0, s.dt = 0, velocities as given. Water of the scheme `density` is compressed by its weight: its
 // points move by up to 1/8 of the compression at its bottom (1 % at c0 = 10 √(gD)) times its depth within
-// their column, from its bottom at z = 0 to the surface, and its mass is that of columns so filled
+// their column, from its bottom at z = 0 or the bed to the surface, and its mass is that of columns so filled
 // (mpm/water.h). Throws NumericsError if a point lies outside of the box.
 template <int D, class Real>
 Simulation<D, Real> make_simulation(Start<D> start);

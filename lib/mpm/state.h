@@ -35,6 +35,8 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("outflow.mass", s.outflow.mass);
     visit("outflow.momentum", s.outflow.momentum);
     visit("outflow.energy", s.outflow.energy);
+    visit("skimming.time", s.skimming.time);
+    visit("skimming.due", s.skimming.due);
     visit("settling.going", s.settling.going);
     visit("settling.stress", s.settling.stress);
     visit("settling.energy", s.settling.energy);

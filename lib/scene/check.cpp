@@ -16,15 +16,6 @@ constexpr double most_per_axis =
     1 << 20;  // particles along an axis of the tank; more would overflow the grid's numbers
 constexpr double most_particles = 4e9;
 
-std::string metres(double length) { return number_text(length) + " m"; }
-
-// Rounded to six digits, for numbers that the checks computed.
-double short_number(double number) {
-    if (number == 0.0 || !std::isfinite(number)) return number;
-    const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(number))));
-    return std::round(number * scale) / scale;
-}
-
 const char* axis_name(std::size_t axis, int dimension) {
     if (axis == 0) return "x";
     return dimension == 3 && axis == 1 ? "y" : "z";
@@ -236,8 +227,10 @@ void check_companions(Reading& reading) {
         const char *effect, *needs, *why;
     } rules[] = {{"fracture", "ice", "there is nothing that could fracture"},
                  {"outlet", "water", "there is nothing to let out"},
-                 {"wave", "water", "there is nothing that could make a wave"}};
-    for (const char* ground : {"shelf", "push", "ice"}) {
+                 {"wave", "water", "there is nothing that could make a wave"},
+                 {"sponge", "water", "there are no waves to take"},
+                 {"piston", "water", "there is nothing to make waves in"}};
+    for (const char* ground : {"shelf", "bed", "push", "piston", "ice"}) {
         if (!reading.scene.has("rigid") || !reading.scene.has(ground)) continue;
         reading.report(
             "effects",
@@ -249,7 +242,7 @@ void check_companions(Reading& reading) {
                        "\"restored\" does not work beside the effect \"rigid\", whose nodes move as one; use "
                        "\"apic\"");
     }
-    for (const char* body : {"rigid", "ice", "shelf"}) {
+    for (const char* body : {"rigid", "ice", "shelf", "bed"}) {
         if (!reading.scene.has("wave") || !reading.scene.has(body)) continue;
         reading.report("effects",
                        std::string("names \"wave\" and \"") + body +
@@ -521,6 +514,9 @@ void check_scene(Reading& reading) {
     check_ice(reading);
     check_shelf(reading);
     check_outlet(reading);
+    check_bed(reading);
+    check_piston(reading);
+    check_sponge(reading);
     check_softening(reading);
     check_strength(reading);
     check_gauges(reading);

@@ -320,6 +320,20 @@ constexpr std::array keys{
         .stages = by_simulate,
         .help = "what its top does: let go of what lifts off, or hold it down (slip)"},
 
+    Key{.name = "bed.profile",
+        .unit = "m",
+        .member = member<&S::bed, &S::Bed::profile>(),
+        .example = "[0, 0, 10, 1]",
+        .effect = "bed",
+        .required = true,
+        .help = "the ground: x0, z0, x1, z1, … of its corners, x rising; straight between them, level beyond "
+                "the ends; in 3D the same for all y"},
+    Key{.name = "bed.wall",
+        .member = member<&S::bed, &S::Bed::wall>(),
+        .effect = "bed",
+        .stages = by_simulate,
+        .help = "what the ground does to what touches it"},
+
     Key{.name = "push.speed",
         .unit = "m/s",
         .member = member<&S::push, &S::Push::speed>(),
@@ -337,6 +351,43 @@ constexpr std::array keys{
         .stages = by_simulate,
         .help = "in which its speed rises; a sudden start sends a wave of stress ρ c v through the ice"},
 
+    Key{.name = "piston.motion",
+        .member = member<&S::piston, &S::Piston::motion>(),
+        .effect = "piston",
+        .stages = by_simulate,
+        .help = "of the left wall as a wave maker: one solitary wave (Goring 1979), or a sine"},
+    Key{.name = "piston.height",
+        .unit = "m",
+        .member = member<&S::piston, &S::Piston::height>(),
+        .range = not_negative,
+        .example = "0.1",
+        .effect = "piston",
+        .stages = by_simulate,
+        .help = "of the solitary wave above still water"},
+    Key{.name = "piston.amplitude",
+        .unit = "m",
+        .member = member<&S::piston, &S::Piston::amplitude>(),
+        .range = not_negative,
+        .example = "0.05",
+        .effect = "piston",
+        .stages = by_simulate,
+        .help = "half of the stroke of a sine, which begins at its rear end"},
+    Key{.name = "piston.period",
+        .unit = "s",
+        .member = member<&S::piston, &S::Piston::period>(),
+        .range = not_negative,
+        .example = "2",
+        .effect = "piston",
+        .stages = by_simulate,
+        .help = "of a sine"},
+    Key{.name = "piston.ramp",
+        .unit = "s",
+        .member = member<&S::piston, &S::Piston::ramp>(),
+        .range = not_negative,
+        .effect = "piston",
+        .stages = by_simulate,
+        .help = "in which a sine grows to its amplitude"},
+
     Key{.name = "outlet.width",
         .unit = "m",
         .member = member<&S::outlet, &S::Outlet::width>(),
@@ -348,6 +399,24 @@ constexpr std::array keys{
         .help = "up to the right wall, where water above the still level leaves; about the depth: a narrow "
                 "outlet lets "
                 "out too little"},
+
+    Key{.name = "sponge.width",
+        .unit = "m",
+        .member = member<&S::sponge, &S::Sponge::width>(),
+        .range = positive,
+        .example = "10",
+        .effect = "sponge",
+        .required = true,
+        .stages = by_simulate,
+        .help =
+            "up to the right wall, in which waves are damped, ever more towards the wall, and leave their "
+            "volume; 6 depths and more"},
+    Key{.name = "sponge.strength",
+        .member = member<&S::sponge, &S::Sponge::strength>(),
+        .range = positive,
+        .effect = "sponge",
+        .stages = by_simulate,
+        .help = "of the damping at the wall, in √(g water.depth)/width; 10 is about the best"},
 
     Key{.name = "settle.tolerance",
         .unit = "Pa",
@@ -488,8 +557,9 @@ const Key* find_key(std::string_view name) {
 }
 
 std::span<const std::string> known_effects() {
-    static const std::array<std::string, 9> effects{"water", "wave", "rigid",  "ice",   "fracture",
-                                                    "shelf", "push", "outlet", "settle"};
+    static const std::array<std::string, 12> effects{"water",    "wave",   "rigid",  "ice",
+                                                     "fracture", "shelf",  "bed",    "push",
+                                                     "piston",   "outlet", "sponge", "settle"};
     return effects;
 }
 

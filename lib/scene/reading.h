@@ -29,4 +29,9 @@ struct Reading {
 // Checks the keys against each other, appending what is wrong.
 void check_scene(Reading& reading);
 
+// Parts of it, in check_flume.cpp.
+void check_bed(Reading& reading);
+void check_piston(Reading& reading);
+void check_sponge(Reading& reading);
+
 }  // namespace tidewater::scene

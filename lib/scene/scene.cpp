@@ -29,4 +29,13 @@ analysis::InitialWave initial_wave(const Scene& scene) {
 
 bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 
+geometry::Profile bed_profile(const Scene& scene) {
+    geometry::Profile profile;
+    for (std::size_t i = 0; i + 1 < scene.bed.profile.size(); i += 2) {
+        profile.x.push_back(scene.bed.profile[i]);
+        profile.z.push_back(scene.bed.profile[i + 1]);
+    }
+    return profile;
+}
+
 }  // namespace tidewater::scene

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/wave_theory.h"
+#include "geometry/profile.h"
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
 #include "mpm/simulation.h"
@@ -85,14 +86,32 @@ struct Scene {
         mpm::WallRule wall = mpm::WallRule::separate;
     } shelf;
 
+    struct Bed {                      // effect "bed"
+        std::vector<double> profile;  // m: x0, z0, x1, z1, …
+        mpm::WallRule wall = mpm::WallRule::separate;
+    } bed;
+
     struct Push {            // effect "push"
         double speed = 0.0;  // m/s
         double ramp = 0.0;   // s
     } push;
 
+    struct Piston {  // effect "piston"
+        mpm::PistonMotion motion = mpm::PistonMotion::solitary;
+        double height = 0.0;     // m, of the wave; solitary
+        double amplitude = 0.0;  // m, half of the stroke; sine
+        double period = 0.0;     // s; sine
+        double ramp = 0.0;       // s; sine
+    } piston;
+
     struct Outlet {          // effect "outlet"
         double width = 0.0;  // m, up to the right wall
     } outlet;
+
+    struct Sponge {              // effect "sponge"
+        double width = 0.0;      // m, up to the right wall
+        double strength = 10.0;  // σ at the wall over √(g water.depth)/width
+    } sponge;
 
     struct Settle {               // effect "settle"
         double tolerance = 1e4;   // Pa
@@ -151,6 +170,9 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
 
 // The ice of a scene as the engine takes it: with ξ from the crack band where the scene asks for it.
 mpm::IceModel ice_model(const Scene& scene);
+
+// The ground of a scene with the effect "bed".
+geometry::Profile bed_profile(const Scene& scene);
 
 // The wave that the water of a scene with the effect "wave" starts as.
 analysis::InitialWave initial_wave(const Scene& scene);

@@ -29,6 +29,14 @@ std::string number_text(double number) {
     return {text, end};
 }
 
+std::string metres(double length) { return number_text(length) + " m"; }
+
+double short_number(double number) {
+    if (number == 0.0 || !std::isfinite(number)) return number;
+    const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(number))));
+    return std::round(number * scale) / scale;
+}
+
 std::string list_text(std::span<const double> numbers) {
     std::vector<std::string> items;
     for (const double number : numbers) items.push_back(number_text(number));

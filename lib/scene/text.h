@@ -11,6 +11,12 @@ namespace tidewater::scene {
 // The shortest text that reads back to the same number, as TOML: "0.01", "16", "1e+16". -0 becomes "0".
 std::string number_text(double number);
 
+// "16 m"
+std::string metres(double length);
+
+// Rounded to six digits, for numbers that were computed.
+double short_number(double number);
+
 // "[16, 1]"
 std::string list_text(std::span<const double> numbers);
 std::string list_text(std::span<const std::string> words);

@@ -15,6 +15,8 @@ constexpr bool enum_names = false;
 template <>
 constexpr std::array enum_names<mpm::WallRule>{"slip", "stick", "separate"};
 template <>
+constexpr std::array enum_names<mpm::PistonMotion>{"solitary", "sine"};
+template <>
 constexpr std::array enum_names<mpm::Moduli>{"plane_strain", "paper"};
 template <>
 constexpr std::array enum_names<mpm::ShearReturn>{"pressure", "trace"};

@@ -1,4 +1,4 @@
-// tidewater-geometry: the scene's tank, shelf, water, ice and block as level sets in
+// tidewater-geometry: the scene's tank, bed, shelf, water, ice and block as level sets in
 // <run>/geometry/geometry.vdb.
 #include <cmath>
 #include <cstdio>
@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "geometry/level_set.h"
+#include "geometry/profile.h"
 #include "io/vdb.h"
 
 namespace tidewater {
@@ -87,6 +88,20 @@ std::vector<Solid> solids_of(const scene::Scene& scene) {
     return solids;
 }
 
+// Volume of the ground in an upright box that begins at x = 0 and z = 0, as volume() gives it.
+double ground_volume(const scene::Scene& scene, const Box& box) {
+    const double area = area_below(bed_profile(scene), 2.0 * box.half_size[0], 2.0 * box.half_size[2]);
+    return scene.dimension == 2 ? area : area * 2.0 * box.half_size[1];
+}
+
+openvdb::FloatGrid::Ptr bed_level_set(const scene::Scene& scene) {
+    const geometry::Profile profile = bed_profile(scene);
+    const Box tank = upright_box(scene, scene.domain.size);
+    return geometry::make_level_set("bed", scene.domain.cell_size, extent_of(tank), [&](const Point& point) {
+        return std::max(signed_distance(tank, point), signed_distance(profile, point));
+    });
+}
+
 // Along a wave: a box as high as its crest, cut off at its surface.
 std::vector<double> water_size(const scene::Scene& scene) {
     std::vector<double> size = scene.domain.size;
@@ -111,17 +126,20 @@ double wave_distance(const analysis::InitialWave& wave, const Point& point) {
 
 openvdb::FloatGrid::Ptr water_level_set(const scene::Scene& scene, const Box& water,
                                         const std::vector<Solid>& solids) {
+    const geometry::Profile profile = bed_profile(scene);
     const bool waves = scene.has("wave");
     const analysis::InitialWave wave = initial_wave(scene);
     const auto distance = [&](const Point& point) {
         double to_water = signed_distance(water, point);
         if (waves) to_water = std::max(to_water, wave_distance(wave, point));
         for (const Solid& solid : solids) to_water = std::max(to_water, -signed_distance(solid.box, point));
+        if (scene.has("bed")) to_water = std::max(to_water, -signed_distance(profile, point));
         return to_water;
     };
     auto grid = geometry::make_level_set("water", scene.domain.cell_size, extent_of(water), distance);
     double filled = water_volume(scene, water);
     for (const Solid& solid : solids) filled -= shared_volume(scene, solid.box, water);
+    if (scene.has("bed")) filled -= ground_volume(scene, water);
     geometry::describe_body(*grid, Material::water, filled);
     return grid;
 }
@@ -137,6 +155,10 @@ void write_geometry(StageContext& context) {
     std::vector<openvdb::FloatGrid::Ptr> grids;
     grids.push_back(box_level_set(scene, "tank", upright_box(scene, scene.domain.size)));
 
+    if (scene.has("bed")) {
+        grids.push_back(bed_level_set(scene));
+        std::printf("bed: %.6g %s\n", ground_volume(scene, upright_box(scene, scene.domain.size)), unit);
+    }
     const std::vector<Solid> solids = solids_of(scene);
     if (scene.has("water")) {
         grids.push_back(water_level_set(scene, upright_box(scene, water_size(scene)), solids));
@@ -168,6 +190,6 @@ void write_geometry(StageContext& context) {
 int main(int argc, char** argv) {
     using namespace tidewater;
     return run_stage(argc, argv, scene::Stage::geometry,
-                     "Writes the scene's tank, shelf, water, ice and block as OpenVDB level sets.",
+                     "Writes the scene's tank, bed, shelf, water, ice and block as OpenVDB level sets.",
                      write_geometry);
 }

@@ -36,7 +36,7 @@ io::Snapshot read_frame(const std::filesystem::path& file, const scene::Scene& s
 std::vector<double> read_gauges(const io::Snapshot& snapshot, const scene::Scene& scene) {
     const analysis::Tank tank = make_tank(scene);
     return analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank,
-                                       gauge_places(scene.postprocess.gauges, tank));
+                                       gauge_places(scene.postprocess.gauges, scene));
 }
 
 double fast_water(const io::Snapshot& snapshot) {
@@ -61,11 +61,17 @@ io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) 
                                  .greatest_speed = scene.postprocess.picture_speed,
                                  .title = scene.title,
                                  .gauges = {},
+                                 .ground_x = {},
+                                 .ground_z = {},
                                  .width = scene.postprocess.picture_width};
     if (settings.greatest_speed == 0.0) settings.greatest_speed = fastest > 0.0 ? io::round_up(fastest) : 1.0;
     for (const auto* gauges : {&scene.simulate.gauges, &scene.postprocess.gauges}) {
-        for (const auto& place : gauge_places(*gauges, make_tank(scene)))
-            settings.gauges.push_back({place.x, place.y});
+        for (const auto& place : gauge_places(*gauges, scene)) settings.gauges.push_back({place.x, place.y});
+    }
+    if (scene.has("bed")) {
+        const geometry::Profile bed = bed_profile(scene);
+        settings.ground_x = bed.x;
+        settings.ground_z = bed.z;
     }
     return settings;
 }

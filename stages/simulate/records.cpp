@@ -114,7 +114,7 @@ Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path
     : folder_(folder),
       provenance_(provenance),
       tank_(make_tank(scene)),
-      places_(gauge_places(scene.simulate.gauges, tank_)),
+      places_(gauge_places(scene.simulate.gauges, scene)),
       sensors_(pressure_points<D>(scene.simulate.pressure_gauges)),
       gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
       ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {

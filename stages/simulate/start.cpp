@@ -23,11 +23,46 @@ mpm::Walls<D> make_walls(const scene::Scene::Domain& domain) {
     return walls;
 }
 
+// The profile at every node line.
+template <int D>
+mpm::Bed<D> make_bed(const scene::Scene& scene) {
+    mpm::Bed<D> bed;
+    bed.rule = scene.bed.wall;
+    bed.spacing = scene.domain.cell_size;
+    bed.points.fill(1);
+    bed.points[0] = static_cast<int>(std::lround(scene.domain.size[0] / bed.spacing)) + 1;
+    const geometry::Profile profile = bed_profile(scene);
+    for (int n = 0; n < bed.points[0]; ++n) bed.heights.push_back(profile.height(n * bed.spacing));
+    return bed;
+}
+
+mpm::Piston make_piston(const scene::Scene& scene) {
+    return {.motion = scene.piston.motion,
+            .height = scene.piston.height,
+            .depth = scene.water.depth,
+            .gravity = scene.domain.gravity,
+            .amplitude = scene.piston.amplitude,
+            .period = scene.piston.period,
+            .ramp = scene.piston.ramp};
+}
+
+mpm::Sponge make_sponge(const scene::Scene& scene) {
+    const double width = scene.sponge.width, celerity = std::sqrt(scene.domain.gravity * scene.water.depth);
+    return {.from = scene.domain.size.front() - width,
+            .width = width,
+            .rate = scene.sponge.strength * celerity / width,
+            .level = scene.water.depth};
+}
+
 template <int D>
 mpm::Boundaries<D> make_boundaries(const scene::Scene& scene) {
-    mpm::Boundaries<D> boundaries{.walls = make_walls<D>(scene.domain), .shelf = {}, .push = {}};
+    mpm::Boundaries<D> boundaries;
+    boundaries.walls = make_walls<D>(scene.domain);
     if (scene.has("shelf")) boundaries.shelf = {scene.shelf.length, scene.shelf.height, scene.shelf.wall};
+    if (scene.has("bed")) boundaries.bed = make_bed<D>(scene);
     if (scene.has("push")) boundaries.push = {scene.push.speed, scene.push.ramp};
+    if (scene.has("piston")) boundaries.piston = make_piston(scene);
+    if (scene.has("sponge")) boundaries.sponge = make_sponge(scene);
     return boundaries;
 }
 
@@ -47,6 +82,9 @@ double density_of(Material material, const scene::Scene& scene) {
     }
     return 0.0;
 }
+
+// Whether a level set bounds the scene and is no body in it.
+bool is_boundary(const std::string& name) { return name == "tank" || name == "bed" || name == "shelf"; }
 
 void check_made_for(const scene::Scene& scene, const openvdb::FloatGrid& grid,
                     const std::filesystem::path& file) {
@@ -111,7 +149,7 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
         throw InputError(file.string() + ": missing; run tidewater-geometry first");
     for (const auto& grid : io::read_level_sets(file)) {
         check_made_for(scene, *grid, file);
-        if (grid->getName() == "tank" || grid->getName() == "shelf") continue;
+        if (is_boundary(grid->getName())) continue;
         auto& body = start.bodies.emplace_back();
         body.material = geometry::body_material(*grid);
         body.volume = geometry::body_volume(*grid);

@@ -267,7 +267,8 @@ struct DenseTwin {
                 made_good = std::min(dt / fall, mpm::greatest_rate) * (1 / (1 + e) - 1 - p.j);
             }
             p.x += dt * p.v;
-            p.j += (1 + p.j) * std::max(dt * p.c.trace(), follows_room() ? mpm::least_growth : -1e30) + made_good;
+            p.j += (1 + p.j) * std::max(dt * p.c.trace(), follows_room() ? mpm::least_growth : -1e30) +
+                   made_good;
             const Mat change = Mat::Identity() + dt * p.c;
             p.b = change * p.b * change.transpose();
             const bool may_fail = material(p) == Material::ice && start.parameters.ice.fracture;

@@ -23,6 +23,8 @@ const PictureSettings tank{.dimension = 2,
                            .greatest_speed = 2.0,
                            .title = "test",
                            .gauges = {{3.0, 0.5}},
+                           .ground_x = {},
+                           .ground_z = {},
                            .width = 800};
 
 // Water up to z = 1 m, resting in the left half and at the greatest speed in the right; a rigid block from x

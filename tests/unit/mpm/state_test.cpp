@@ -91,12 +91,17 @@ void goes_on_the_same(const Start<D>& start) {
         CHECK((orders(s) != order || !has_ice));  // the block alone changes its blocks late
         CHECK(state_hash(loaded) == state_hash(s));
         CHECK(saved(loaded) == saved(s));
+        const bool skims = start.parameters.boundaries.sponge.exists();
+        CHECK((!skims || before < 200 || !s.skimming.due.empty()));
     }
 }
 
 template <int D>
 void goes_on_the_same() {
-    for (const auto& start : {test::dropped_block_start<D>(), test::mixed_tank<D>()}) {
+    auto sponge = test::dropped_block_start<D>();
+    const double level = sponge.bodies[0].surface;
+    sponge.parameters.boundaries.sponge = {.from = 0.1, .width = 0.4, .rate = 100.0, .level = level};
+    for (const auto& start : {test::dropped_block_start<D>(), sponge, test::mixed_tank<D>()}) {
         CAPTURE(start.bodies.size());
         goes_on_the_same<D, float>(start);
         goes_on_the_same<D, double>(start);

@@ -175,8 +175,8 @@ TEST_CASE("an unknown effect is told with the nearest known one") {
     CHECK(set_problem("effects=[\"watter\", \"rigid\"]") ==
           "unknown effect \"watter\"; did you mean \"water\"?");
     CHECK(set_problem("effects=[\"magma\"]") ==
-          "unknown effect \"magma\"; known are water, wave, rigid, ice, fracture, shelf, push, outlet "
-          "and settle");
+          "unknown effect \"magma\"; known are water, wave, rigid, ice, fracture, shelf, bed, push, "
+          "piston, outlet, sponge and settle");
 }
 
 TEST_CASE("a scene without effects has no particles, and one named twice is an error") {
