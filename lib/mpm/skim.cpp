@@ -20,12 +20,20 @@ struct Content {
     std::vector<Candidate> top;
 };
 
+// Volume at rest of the water that stands so deep, per area, m.
+double still_depth(double depth, double gravity, const WaterModel& water) {
+    return water.scheme == WaterScheme::density ? weighed_depth(depth, gravity, water) : depth;
+}
+
 // Water in a column at rest: the mean over its lines of nodes' middles of what is above the bed.
 template <int D, class Real>
 std::vector<double> still_volumes(const Simulation<D, Real>& s, const SkimColumns<D>& columns) {
     const double dx = s.grid.layout.cell_size, level = s.parameters.boundaries.sponge.level;
     const Bed<D>& bed = s.parameters.boundaries.bed;
-    std::vector<double> volumes(static_cast<std::size_t>(columns.total()), columns.area() * level);
+    const auto still = [&](double depth) {
+        return still_depth(depth, s.parameters.gravity, s.parameters.water);
+    };
+    std::vector<double> volumes(static_cast<std::size_t>(columns.total()), columns.area() * still(level));
     if (!bed.exists()) return volumes;
     constexpr int across = D - 1;
     const Vector<across, double> size =
@@ -39,7 +47,7 @@ std::vector<double> still_volumes(const Simulation<D, Real>& s, const SkimColumn
             Vector<across, double> at = columns.middle(column);
             for (int axis = 0, rest = line; axis < across; ++axis, rest /= lines)
                 at[axis] += size[axis] * ((rest % lines + 0.5) / lines - 0.5);
-            depth += std::max(level - bed.height(at), 0.0);
+            depth += still(std::max(level - bed.height(at), 0.0));
         }
         volumes[static_cast<std::size_t>(column)] = columns.area() * depth / power(lines, across);
     }

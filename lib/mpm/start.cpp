@@ -35,7 +35,8 @@ std::vector<double> compress(const Start<D>& start, typename Start<D>::Body& bod
         const double depth = std::max(j[p], 0.0);
         double& z = body.points[p][D - 1];
         const Bed<D>& bed = start.parameters.boundaries.bed;
-        const double ground = bed.exists() ? bed.height(body.points[p].template head<D - 1>()) : 0.0;
+        const double ground =
+            bed.exists() ? std::max(bed.height(body.points[p].template head<D - 1>()), 0.0) : 0.0;
         const double column = std::max(z - ground, 0.0) + depth;
         const double mean = depth > 0.0 ? weighed_depth(column, gravity, water) / column : 1.0;
         if (depth > 0.0) z += depth - depth_of_weight(mean * depth, gravity, water);
