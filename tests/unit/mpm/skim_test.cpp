@@ -125,6 +125,7 @@ TEST_CASE("still water loses nothing to a sponge, however long") {
         if (jitter > 0.0) start.parameters.water.scheme = WaterScheme::paper;
         auto s = make_simulation<2, float>(start);
         while (s.time < 20.0) advance(s, stable_time_step(s));
+        skim(s);  // in rows nothing is ever sorted
         CHECK(s.skimming.time > 1.0);
         CHECK(s.outflow.mass < 1e-4 * take_ledger(s).mass);
     }
