@@ -30,9 +30,11 @@ namespace tidewater::mpm {
 
 inline constexpr double least_fill = 0.85;
 inline constexpr double greatest_rate = 0.02;  // of J per step
-// And J shrinks by a fifth in one step at most: only a lone particle, in a splash or a film upon a wall, is
-// told to shrink faster by the far nodes that it alone moves, to J ≤ 0 even. Its J follows its room later.
-inline constexpr double least_growth = -0.2;
+// And J shrinks by a fifth in one step at most and does not grow beyond 2. What would pass these limits is a
+// lone particle, in a splash or a film upon a wall: it alone moves its nodes and so keeps any divergence that
+// it has, until J is 0 or infinite. Its J follows its room later.
+inline constexpr double least_growth = -0.2, greatest_j = 1.0;  // ΔJ/J, J − 1
+inline bool keeps_to_room(const WaterModel& water) { return water.scheme == WaterScheme::density; }
 
 // r of a step of dt; 0 for the scheme `paper` and without gravity.
 template <int D>

@@ -37,7 +37,7 @@ void pass_particles(const PassContext<D, Real>& step, std::size_t slot, const No
     }
 }
 
-// J ← J (1 + max(Δt tr C, least growth)) + r (1/(1 + ē) − J) and τ = −J p(J) I.
+// J ← J (1 + Δt tr C) + r (1/(1 + ē) − J), limited as mpm/crowding.h says, and τ = −J p(J) I.
 template <int D, class Real>
 struct WaterUpdate {
     Particles<D, Real>& particles;
@@ -66,7 +66,7 @@ struct WaterUpdate {
             Real trace = batch.gradient[0][p];
             for (int axis = 1; axis < D; ++axis) trace += batch.gradient[axis * (D + 1)][p];
             const Real growth = std::max(step.cells_per_speed * trace, step.least_growth);
-            j[p] += (Real(1) + j[p]) * growth + made_good[p];
+            j[p] = std::min(j[p] + (Real(1) + j[p]) * growth + made_good[p], step.greatest_j);
         }
         store_column(j, count, particles.j.data() + first);
         for (int p = 0; p < batch_size; ++p) least[p] = std::min(least[p], j[p]);
@@ -151,8 +151,8 @@ template <int D, class Real>
 PassContext<D, Real>::PassContext(const Simulation<D, Real>& s, double next_dt)
     : cells_per_speed(static_cast<Real>(s.dt / s.grid.layout.cell_size)),
       shift(static_cast<Real>(rounding_shift(s.step))),
-      least_growth(
-          static_cast<Real>(s.parameters.water.scheme == WaterScheme::density ? mpm::least_growth : -1e30)),
+      least_growth(static_cast<Real>(keeps_to_room(s.parameters.water) ? mpm::least_growth : -1e30)),
+      greatest_j(static_cast<Real>(keeps_to_room(s.parameters.water) ? mpm::greatest_j : 1e30)),
       crowding_rate(static_cast<Real>(mpm::crowding_rate(s.parameters, s.grid.layout.cell_size, s.dt))),
       impulse(4.0 * next_dt / s.grid.layout.cell_size),
       ice(s.parameters.ice),

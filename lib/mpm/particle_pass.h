@@ -23,7 +23,8 @@ template <int D, class Real>
 struct PassContext {
     Real cells_per_speed;  // Δt/Δx with Δt = s.dt
     Real shift;            // of the rounding of positions (mpm/position.h)
-    Real least_growth;     // of J in a step, mpm/crowding.h
+    Real least_growth;     // of J in a step, and
+    Real greatest_j;       // J − 1 at most, mpm/crowding.h
     Real crowding_rate;    // mpm/crowding.h
     double impulse;        // 4 Δt'/Δx with Δt' = next_dt, s/m: gradient of momentum per stress and volume
     IceConstants<D, Real> ice;

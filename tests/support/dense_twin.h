@@ -267,8 +267,9 @@ struct DenseTwin {
                 made_good = std::min(dt / fall, mpm::greatest_rate) * (1 / (1 + e) - 1 - p.j);
             }
             p.x += dt * p.v;
-            p.j += (1 + p.j) * std::max(dt * p.c.trace(), follows_room() ? mpm::least_growth : -1e30) +
-                   made_good;
+            const double growth = dt * p.c.trace();
+            p.j += (1 + p.j) * (follows_room() ? std::max(growth, mpm::least_growth) : growth) + made_good;
+            if (follows_room()) p.j = std::min(p.j, mpm::greatest_j);
             const Mat change = Mat::Identity() + dt * p.c;
             p.b = change * p.b * change.transpose();
             const bool may_fail = material(p) == Material::ice && start.parameters.ice.fracture;
