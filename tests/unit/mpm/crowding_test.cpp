@@ -125,7 +125,7 @@ TEST_CASE("disordered water comes to rest and its own pressures agree with its d
     CHECK(ours < 0.6 * papers);
 }
 
-TEST_CASE("a lone particle neither shrinks to nothing nor grows without end; the paper's stops the run") {
+TEST_CASE("a lone particle neither shrinks to nothing, which stops the paper's run, nor grows without end") {
     const auto j_after = [](WaterScheme scheme, double rate, int steps) {
         Start<2> start;
         start.cell_size = 1.0;
