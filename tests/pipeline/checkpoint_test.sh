@@ -164,8 +164,8 @@ truncate --size=-100 "$checkpoint"
 refuses "$checkpoint: it is truncated or no HDF5 file; --from start begins the run anew"
 cp stopped/simulate/frame_0000.hdf "$checkpoint"
 refuses "$checkpoint: it is an HDF5 file but no tidewater checkpoint; --from start begins the run anew"
-stopped_run format_version 4
-refuses "$checkpoint: its format version 4 is newer than this program's 3; --from start begins the run anew"
+stopped_run format_version 5
+refuses "$checkpoint: its format version 5 is newer than this program's 4; --from start begins the run anew"
 for array in particle_blocks body0.begin body1.begin; do
     stopped_run "/state/$array" 5
     refuses "$checkpoint: its arrays do not fit each other"

@@ -33,7 +33,8 @@ double level_at(const mpm::Simulation<2, Real>& s, double x, double reach) {
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 const double from = mpm::global_position(s.grid.layout, block, particles, p)[0] - x;
                 if (std::abs(from) >= reach) continue;
-                volume += particles.volume * (1.0 + std::cos(std::numbers::pi * from / reach));
+                const double now = particles.volume * (1.0 + static_cast<double>(particles.j[p]));
+                volume += now * (1.0 + std::cos(std::numbers::pi * from / reach));
             }
         }
     }
