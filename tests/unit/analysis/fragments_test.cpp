@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -104,11 +103,7 @@ TEST_CASE("nearly all particles anywhere within their own shares of the cells ha
     }
 }
 
-TEST_CASE("a million particles take less than seconds") {
+TEST_CASE("a million particles side by side are one fragment") {
     const auto points = lattice(100, 100, 100);
-    const auto begin = std::chrono::steady_clock::now();
     CHECK(label_fragments(points, Flags(1000000, 1), usual_reach).size[0] == 1000000);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    MESSAGE(took.count() << " s");
-    CHECK(took.count() < 20.0);  // 0.4 s where it is optimised and alone; with sanitizers and others more
 }
