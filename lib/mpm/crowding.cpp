@@ -155,23 +155,29 @@ void mark_solids(const Simulation<D, Real>& s, std::size_t slot, const Index<D>&
 }  // namespace
 
 template <int D, class Real>
+bool has_water(const Simulation<D, Real>& s, std::size_t slot) {
+    return std::ranges::any_of(s.bodies, [&](const auto& particles) {
+        return particles.material == Material::water && particles.begin[slot] < particles.begin[slot + 1];
+    });
+}
+
+template <int D, class Real>
 void mark_unknown_fill(Simulation<D, Real>& s) {
     s.unknown_fill.clear();
     if (s.parameters.water.scheme == WaterScheme::paper || all_mirrors_and_water(s)) return;
     const Grid<D, Real>& grid = s.grid;
     s.unknown_fill.assign(grid.nodes.size(), 0);
     parallel_for(grid.node_blocks.size(), [&](std::size_t slot) {
+        const auto& tiles = grid.tiles_of_node[slot];
+        const auto wet = [&](int tile) { return tile >= 0 && has_water(s, static_cast<std::size_t>(tile)); };
+        if (std::ranges::none_of(tiles, wet)) return;  // no water reads these nodes
         const Index<D> block = block_at<D>(grid.node_blocks[slot]);
         std::uint8_t* marks = s.unknown_fill.data() + slot * Block<D>::nodes;
         for (int n = 0; n < Block<D>::nodes; ++n) {
-            Index<D> node;
-            for (int axis = D - 1, rest = n; axis >= 0; --axis, rest /= Block<D>::width) {
-                const auto a = static_cast<std::size_t>(axis);
-                node[a] = grid.layout.first_node(block[a]) + rest % Block<D>::width;
-            }
-            marks[n] = beside_held(grid.layout, s.parameters.boundaries, s.time, node);
+            marks[n] =
+                beside_held(grid.layout, s.parameters.boundaries, s.time, node_at(grid.layout, block, n));
         }
-        for (const int tile : grid.tiles_of_node[slot]) {
+        for (const int tile : tiles) {
             if (tile >= 0) mark_solids(s, static_cast<std::size_t>(tile), block, marks);
         }
     });
@@ -216,8 +222,9 @@ void load_crowding(const Simulation<D, Real>& s, std::size_t slot, Node<Real>* t
     }
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                     \
-    template void mark_unknown_fill(Simulation<D, Real>&); \
+#define TIDEWATER_INSTANTIATE(D, Real)                                \
+    template bool has_water(const Simulation<D, Real>&, std::size_t); \
+    template void mark_unknown_fill(Simulation<D, Real>&);            \
     template void load_crowding(const Simulation<D, Real>&, std::size_t, Node<Real>*);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)

@@ -45,6 +45,10 @@ inline bool keeps_to_room(const WaterModel& water) { return water.scheme == Wate
 template <int D>
 double crowding_rate(const Parameters<D>& parameters, double cell_size, double dt);
 
+// Whether there is water in particle block `slot`; elsewhere nobody asks for the crowding.
+template <int D, class Real>
+bool has_water(const Simulation<D, Real>& s, std::size_t slot);
+
 // Finds the nodes with unknown φ, for s.unknown_fill. Called when particles were sorted.
 template <int D, class Real>
 void mark_unknown_fill(Simulation<D, Real>& s);

@@ -41,6 +41,16 @@ struct Layout {
     static int first_node(int block_on_axis) { return (block_on_axis - 2) * Block<D>::width; }
 };
 
+// The place of node n of a block, the last axis fastest; `block` as block_at gives it.
+template <int D>
+Index<D> node_at(const Layout<D>& layout, const Index<D>& block, int n) {
+    Index<D> node;
+    for (std::size_t axis = D; axis-- > 0; n /= Block<D>::width) {
+        node[axis] = layout.first_node(block[axis]) + n % Block<D>::width;
+    }
+    return node;
+}
+
 // The Morton key of a block: the bits of its numbers interleaved, the last axis' lowest. Each number must be
 // in [0, 2^31) in 2D and [0, 2^21) in 3D: 2 billion cells per axis in 2D, 8 million in 3D.
 template <int D>

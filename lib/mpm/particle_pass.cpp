@@ -17,14 +17,8 @@ template <int D, class Real, class MaterialUpdate>
 void pass_particles(const PassContext<D, Real>& step, std::size_t slot, const Node<Real>* from,
                     Strips<D, Real>& to, Particles<D, Real>& particles, MaterialUpdate& material) {
     TransferBatch<D, Real> batch;
-    Column<Stored<Real>> position[D];
     const auto mass = static_cast<Real>(particles.mass);
-    const std::size_t end = particles.begin[slot + 1];
-    for (std::size_t first = particles.begin[slot]; first < end; first += batch_size) {
-        const int count = static_cast<int>(std::min<std::size_t>(batch_size, end - first));
-        for (std::size_t axis = 0; axis < D; ++axis) {
-            load_column(particles.position[axis].data() + first, count, position[axis]);
-        }
+    for_each_batch(particles, slot, [&](std::size_t first, int count, Column<Stored<Real>>* position) {
         locate<D, Real>(position, batch.stencil);
         gather_batch<D, Real>(from->data(), batch);
         for (std::size_t axis = 0; axis < D; ++axis) {
@@ -34,7 +28,7 @@ void pass_particles(const PassContext<D, Real>& step, std::size_t slot, const No
         material.update(first, count, batch);
         locate<D, Real>(position, batch.stencil);
         scatter_batch<D, Real>(mass, count, batch, to);
-    }
+    });
 }
 
 // J ← J (1 + Δt tr C) + r (1/(1 + ē) − J), limited as mpm/crowding.h says, and τ = −J p(J) I.

@@ -8,6 +8,7 @@
 // Velocities and their gradients live on the grid between steps; mpm/motion.h reads them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -80,6 +81,21 @@ Vector<D, double> global_position(const Layout<D>& layout, const Index<D>& block
         point[static_cast<int>(axis)] = layout.cell_size * (first + cells_of(particles.position[axis][p]));
     }
     return point;
+}
+
+// Calls visit(first, count, position) for the particles of a block, a batch after the other: particles first
+// … first + count − 1, their positions column by column.
+template <int D, class Real, class Visit>
+void for_each_batch(const Particles<D, Real>& particles, std::size_t slot, const Visit& visit) {
+    Column<Stored<Real>> position[D];
+    const std::size_t end = particles.begin[slot + 1];
+    for (std::size_t first = particles.begin[slot]; first < end; first += batch_size) {
+        const int count = static_cast<int>(std::min<std::size_t>(batch_size, end - first));
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            load_column(particles.position[axis].data() + first, count, position[axis]);
+        }
+        visit(first, count, position);
+    }
 }
 
 // Calls visit(block slot, block, particle) for all particles, blocks in parallel, each block's particles in

@@ -12,19 +12,13 @@ namespace {
 template <int D, class Real>
 void carry(const Particles<D, Real>& particles, std::size_t slot, const Real* from, Strips<D, Real>& to) {
     TransferBatch<D, Real> batch;
-    Column<Stored<Real>> position[D];
     const auto mass = static_cast<Real>(particles.mass);
-    const std::size_t end = particles.begin[slot + 1];
-    for (std::size_t first = particles.begin[slot]; first < end; first += batch_size) {
-        const int count = static_cast<int>(std::min<std::size_t>(batch_size, end - first));
-        for (std::size_t axis = 0; axis < D; ++axis) {
-            load_column(particles.position[axis].data() + first, count, position[axis]);
-        }
+    for_each_batch(particles, slot, [&](std::size_t, int count, const Column<Stored<Real>>* position) {
         locate<D, Real>(position, batch.stencil);
         gather_batch<D, Real>(from, batch);
         velocity_to_momentum(mass, batch);
         scatter_batch<D, Real>(mass, count, batch, to);
-    }
+    });
 }
 
 // [particle block][Block<D>::tile_size]: momenta and masses after the trip.

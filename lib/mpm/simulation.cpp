@@ -125,7 +125,7 @@ void move_particles(Simulation<D, Real>& s, double next_dt) {
     parallel_for(results.size(), [&](std::size_t slot) {
         alignas(64) Tile<D, Real> tile;
         load_velocities(s.grid, slot, Parity::velocity, tile.data());
-        if (context.crowding_rate > Real(0)) load_crowding(s, slot, tile.data());
+        if (context.crowding_rate > Real(0) && has_water(s, slot)) load_crowding(s, slot, tile.data());
         results[slot] = pass_over_block(context, slot, tile.data(), s);
     });
     PassResult<D> all;

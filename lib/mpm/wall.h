@@ -35,13 +35,8 @@ Vector<D, double> change_nodes(const Layout<D>& layout, const Index<D>& block, N
     for (int n = 0; n < Block<D>::nodes; ++n) {
         Node<Real>& node = nodes[n];
         if (!(node[mass_lane] > Real(0))) continue;
-        Index<D> at;
-        for (int axis = D - 1, rest = n; axis >= 0; --axis, rest /= Block<D>::width) {
-            const auto a = static_cast<std::size_t>(axis);
-            at[a] = layout.first_node(block[a]) + rest % Block<D>::width;
-        }
         const Vector<D, double> before = node.template head<D>().template cast<double>().matrix();
-        change(at, node);
+        change(node_at(layout, block, n), node);
         const Vector<D, double> after = node.template head<D>().template cast<double>().matrix();
         impulse += static_cast<double>(node[mass_lane]) * (after - before);
     }
