@@ -22,6 +22,9 @@
 
 namespace tidewater::mpm {
 
+// How water meets a body: it moves with its surface, or slides along it and may part from it.
+enum class BodyContact { stick, slip };
+
 struct RigidBody {
     std::array<int, 3> anchor{};                       // node, (x, y, z) with y = 0 in 2D
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  // c from the anchor, m; y = 0 in 2D
