@@ -68,6 +68,36 @@ void double_on_walls(const Layout<D>& layout, const Index<D>& block, Real* fill)
     }
 }
 
+// What rigid bodies fill of the nodes.
+template <int D, class Real>
+void add_bodies(const Simulation<D, Real>& s, const Index<D>& block, Real* fill) {
+    constexpr int rim = Surround<D>::rim, side = Surround<D>::side;
+    const Layout<D>& layout = s.grid.layout;
+    for (const RigidBody& body : s.rigid) {
+        const NodeRange<D> range = reach_of<D>(layout, body);
+        Index<D> first, last;  // counted in the surround
+        int rows = 1;
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            const int origin = layout.first_node(block[axis]) - rim;
+            first[axis] = std::max(range.first[axis] - origin, 0);
+            last[axis] = std::min(range.last[axis] - origin, side - 1);
+            rows *= std::max(last[axis] - first[axis] + 1, 0);
+        }
+        for (int n = 0; n < rows; ++n) {
+            Index<D> node;
+            int to = 0, rest = n;
+            for (std::size_t axis = D; axis-- > 0;) {
+                const int along = last[axis] - first[axis] + 1;
+                node[axis] = first[axis] + rest % along;
+                rest /= along;
+                to += node[axis] * stride_of<D>(static_cast<int>(axis));
+                node[axis] += layout.first_node(block[axis]) - rim;
+            }
+            fill[to] += static_cast<Real>(share_of_node<D>(layout, body, node).value);
+        }
+    }
+}
+
 template <int D, class Real>
 void smooth(Real* e) {
     constexpr int side = Surround<D>::side;
@@ -209,7 +239,9 @@ void load_crowding(const Simulation<D, Real>& s, std::size_t slot, Node<Real>* t
             if (marks[n]) e[to + n] = unknown;
         }
     });
-    double_on_walls<D>(grid.layout, block_at<D>(grid.particle_blocks[slot]), e);
+    const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
+    double_on_walls<D>(grid.layout, block, e);
+    add_bodies(s, block, e);
     for (int n = 0; n < count; ++n) e[n] = e[n] > static_cast<Real>(least_fill) ? e[n] - Real(1) : Real(0);
     smooth<D>(e);
     constexpr int side = Surround<D>::side, tile_width = Block<D>::tile_width;

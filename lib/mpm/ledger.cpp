@@ -29,8 +29,7 @@ double elastic_energy(const Parameters<D>& parameters, const Particles<D, Real>&
     const WaterModel& water = parameters.water;
     switch (particles.material) {
         case Material::water:
-            return particles.volume *
-                   water_energy(static_cast<double>(particles.j[p]), water);
+            return particles.volume * water_energy(static_cast<double>(particles.j[p]), water);
         case Material::ice:
             return particles.volume * ice_energy<D>(parameters.ice, strain_of(particles, p));
         case Material::rigid:
@@ -49,7 +48,6 @@ Ledger<D> particle_ledger(const Simulation<D, Real>& s, const Particles<D, Real>
     part.mass = particles.mass;
     part.gravitational = particles.mass * s.parameters.gravity * point[D - 1];
     part.elastic = elastic_energy(s.parameters, particles, p);
-    if (particles.material == Material::rigid) return part;
     Vector<D, Real> v;
     Matrix<D, Real> g;
     gather<D, Real>(local_position<D, Real>(particles, p), tile.data(), v, g);
@@ -68,7 +66,7 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
             if (particles.begin[slot] == particles.begin[slot + 1]) return;
             const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
             Tile<D, Real> tile;
-            load_velocities(s.grid, slot, Parity::velocity, tile.data());
+            load_velocities(s.grid, slot, tile.data());
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 add(of_block[slot], particle_ledger(s, particles, block, p, tile));
             }
@@ -76,9 +74,10 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
     }
     Ledger<D> total;
     for (const auto& ledger : of_block) add(total, ledger);
-    // A body's own motion and not what its particles read from the grid: that knows nothing yet of the walls'
-    // last push.
     for (const RigidBody& body : s.rigid) {
+        total.mass += body.mass;
+        total.gravitational +=
+            body.mass * s.parameters.gravity * body.center_in_box(s.grid.layout.cell_size)[2];
         total.momentum += body.mass * drop<D>(body.velocity);
         total.kinetic += kinetic_energy(body);
     }

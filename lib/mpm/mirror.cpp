@@ -86,9 +86,9 @@ void unfold(const Layout<D>& layout, const Index<D>& block, Parity parity, Node<
 }
 
 template <int D, class Real>
-void load_velocities(const Grid<D, Real>& grid, std::size_t slot, Parity parity, Node<Real>* tile) {
+void load_velocities(const Grid<D, Real>& grid, std::size_t slot, Node<Real>* tile) {
     load_tile(grid, grid.nodes, slot, tile);
-    unfold<D, Real>(grid.layout, block_at<D>(grid.particle_blocks[slot]), parity, tile);
+    unfold<D, Real>(grid.layout, block_at<D>(grid.particle_blocks[slot]), Parity::velocity, tile);
 }
 
 template <int D, class Real>
@@ -109,7 +109,7 @@ Vector<D, double> unfolding_impulse(const Layout<D>& layout, const Index<D>& blo
 #define TIDEWATER_INSTANTIATE(D, Real)                                                                \
     template Vector<D, double> fold<D, Real>(const Layout<D>&, const Index<D>&, Parity, Node<Real>*); \
     template void unfold<D, Real>(const Layout<D>&, const Index<D>&, Parity, Node<Real>*);            \
-    template void load_velocities(const Grid<D, Real>&, std::size_t, Parity, Node<Real>*);            \
+    template void load_velocities(const Grid<D, Real>&, std::size_t, Node<Real>*);                    \
     template Vector<D, double> unfolding_impulse<D, Real>(const Layout<D>&, const Index<D>&,          \
                                                           const Node<Real>*, Node<Real>*);
 TIDEWATER_INSTANTIATE(2, float)

@@ -21,9 +21,7 @@
 
 namespace tidewater::mpm {
 
-// What is mirrored: the lanes of a node as velocity, or as numbers that are even about every wall. A rigid
-// body's share is even too: what of it reaches beyond a wall moves as the body does, which is stopped at
-// walls by its particles (mpm/rigid.h). Mirrored, it would sink through the last cell half as slowly again.
+// What is mirrored: the lanes of a node as velocity, or as numbers that are even about every wall.
 enum class Parity { velocity, even };
 
 // Whether the tile of a block holds a mirror with the nodes on both sides of it.
@@ -43,7 +41,7 @@ void unfold(const Layout<D>& layout, const Index<D>& block, Parity parity, Node<
 // Copies the velocities around particle block `slot` into `tile`, of Block<D>::tile_size nodes, as its
 // particles read them.
 template <int D, class Real>
-void load_velocities(const Grid<D, Real>& grid, std::size_t slot, Parity parity, Node<Real>* tile);
+void load_velocities(const Grid<D, Real>& grid, std::size_t slot, Node<Real>* tile);
 
 // The momentum (kg m/s) that the walls give to the particles that read an unfolded tile.
 //     folded      what fold left of the block's momenta; its kept masses are cleared

@@ -16,11 +16,6 @@ namespace tidewater::mpm {
 template <int D, class Real>
 using Tile = std::array<Node<Real>, static_cast<std::size_t>(Block<D>::tile_size)>;
 
-// How walls mirror a body's share of the nodes.
-inline Parity parity_of(Material material) {
-    return material == Material::rigid ? Parity::even : Parity::velocity;
-}
-
 // Calls visit(block slot, block, particle, velocity (m/s), velocity gradient Δx C (m/s)) for all particles,
 // blocks in parallel, each block's particles in order.
 template <int D, class Real, class Visit>
@@ -29,7 +24,7 @@ void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& partic
         if (particles.begin[slot] == particles.begin[slot + 1]) return;
         const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
         Tile<D, Real> tile;
-        load_velocities(grid, slot, parity_of(particles.material), tile.data());
+        load_velocities(grid, slot, tile.data());
         for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
             Vector<D, Real> velocity;
             Matrix<D, Real> gradient;

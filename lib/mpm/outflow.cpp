@@ -15,7 +15,7 @@ void account(Simulation<D, Real>& s, const Particles<D, Real>& particles, std::s
              std::span<const std::size_t> gone) {
     const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
     Tile<D, Real> tile;
-    load_velocities(s.grid, slot, Parity::velocity, tile.data());
+    load_velocities(s.grid, slot, tile.data());
     for (const std::size_t p : gone) {
         const Ledger<D> part = particle_ledger(s, particles, block, p, tile);
         s.outflow.mass += part.mass;

@@ -122,23 +122,6 @@ struct IceUpdate {
     Real* strain_at(int c) { return particles.strain[static_cast<std::size_t>(c)].data(); }
 };
 
-// Adds the rigid bodies' particles to the block's tile.
-template <int D, class Real>
-void add_rigid(std::size_t slot, const Index<D>& block, Simulation<D, Real>& s) {
-    std::size_t next = 0;
-    for (auto& particles : s.bodies) {
-        if (particles.material != Material::rigid) continue;
-        const RigidBody& body = s.rigid[next++];
-        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
-        Tile<D, Real> own;
-        own.fill(Node<Real>::Zero());
-        scatter_rigid<D, Real>(s.grid.layout, body, block, slot, particles, own.data());
-        fold<D, Real>(s.grid.layout, block, Parity::even, own.data());
-        Node<Real>* to = s.grid.tile(slot);
-        for (std::size_t n = 0; n < own.size(); ++n) to[n] += own[n];
-    }
-}
-
 }  // namespace
 
 template <int D, class Real>
@@ -173,7 +156,7 @@ PassResult<D> pass_over_block(const PassContext<D, Real>& step, std::size_t slot
                 result.unusable = result.unusable || (update.state & ice_unusable);
                 break;
             }
-            case Material::rigid:
+            case Material::rigid:  // no particles
                 break;
         }
     }
@@ -182,7 +165,6 @@ PassResult<D> pass_over_block(const PassContext<D, Real>& step, std::size_t slot
     std::fill(to + Block<D>::tile_nodes, to + Block<D>::tile_size, Node<Real>::Zero());
     const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
     result.impulse = fold<D, Real>(s.grid.layout, block, Parity::velocity, to);
-    add_rigid(slot, block, s);
     return result;
 }
 

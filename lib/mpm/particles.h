@@ -4,7 +4,6 @@
 //     water    position 8 / 12, j 4, id 4                       16 / 20
 //     ice      position 8 / 12, strain 12 / 24, id 4            24 / 40, elastic
 //              + alpha 4, failure_time 4                        32 / 48, with fracture
-//     rigid    position 8 / 12, offset 8 / 12, id 4             20 / 28
 // Velocities and their gradients live on the grid between steps; mpm/motion.h reads them.
 #pragma once
 
@@ -34,8 +33,7 @@ struct Particles {
     std::array<std::vector<Real>, static_cast<std::size_t>(symmetric_size<D>)> strain;  // ε_b = b − I; ice
     std::vector<Real> alpha;         // α; ice with fracture
     std::vector<Real> failure_time;  // when α first was 0 or more, s; infinite before; ice with fracture
-    std::vector<Vector<D, Real>> offset;  // from the body's centre of mass in its own axes, m; rigid
-    std::vector<std::uint32_t> id;        // kept from the start, whatever the order
+    std::vector<std::uint32_t> id;   // kept from the start, whatever the order
 
     std::vector<std::uint32_t> begin;  // [particle block] the first particle; one entry more at the end
 
@@ -56,7 +54,6 @@ void for_each_column(Particles& particles, const Visit& visit) {
     }
     visit(std::string("alpha"), particles.alpha);
     visit(std::string("failure_time"), particles.failure_time);
-    visit(std::string("offset"), particles.offset);
     visit(std::string("id"), particles.id);
 }
 

@@ -27,10 +27,10 @@ std::vector<Node<Real>> round_trip(const Simulation<D, Real>& s) {
     std::vector<Node<Real>> tiles(s.grid.tiles.size());
     parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
         alignas(64) Tile<D, Real> from;
-        load_velocities(s.grid, slot, Parity::velocity, from.data());
+        load_velocities(s.grid, slot, from.data());
         Strips<D, Real> strips{};
         for (const auto& particles : s.bodies) {
-            if (particles.material != Material::rigid) carry(particles, slot, from.data()->data(), strips);
+            carry(particles, slot, from.data()->data(), strips);
         }
         Node<Real>* to = tiles.data() + slot * Block<D>::tile_size;
         sum_strips<D, Real>(strips, to->data());

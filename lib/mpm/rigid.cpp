@@ -1,184 +1,120 @@
 #include "mpm/rigid.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "mpm/lift.h"
-#include "mpm/motion.h"
 
 namespace tidewater::mpm {
 namespace {
 
-// ε:Gᵀ, twice the axial vector of a velocity gradient.
-template <int D>
-Eigen::Vector3d twice_axial(const Matrix<D, double>& g) {
-    if constexpr (D == 3)
-        return {g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1)};
-    else
-        return {0.0, g(0, 1) - g(1, 0), 0.0};
+// N, the quadratic B-spline, and Φ, its integral from −∞; t in cells.
+double spline(double t) {
+    const double a = std::abs(t);
+    if (a >= 1.5) return 0.0;
+    return a < 0.5 ? 0.75 - a * a : 0.5 * (1.5 - a) * (1.5 - a);
 }
 
-// [ω]× as it acts in D dimensions.
-template <int D>
-Matrix<D, double> cross_matrix(const Eigen::Vector3d& w) {
-    Matrix<D, double> m;
-    if constexpr (D == 3)
-        m << 0.0, -w[2], w[1], w[2], 0.0, -w[0], -w[1], w[0], 0.0;
-    else
-        m << 0.0, w[1], -w[1], 0.0;
-    return m;
+double spline_integral(double t) {
+    const double a = std::min(std::abs(t), 1.5), rest = 1.5 - a;
+    const double above = a < 0.5 ? 0.5 - 0.75 * a + a * a * a / 3.0 : rest * rest * rest / 6.0;  // 1 − Φ(a)
+    return t < 0.0 ? above : 1.0 - above;
 }
 
-// The particle blocks that hold particles of the body, rising in x, then y, then z: an order that stays when
-// the scene is moved, which that of Morton keys does not.
-template <int D, class Real>
-std::vector<std::size_t> blocks_of_body(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
-    std::vector<std::size_t> slots;
-    for (std::size_t slot = 0; slot < grid.particle_blocks.size(); ++slot) {
-        if (particles.begin[slot] < particles.begin[slot + 1]) slots.push_back(slot);
+template <int D>
+constexpr std::array<int, static_cast<std::size_t>(D)> own_axes() {
+    if constexpr (D == 2)
+        return {0, 2};
+    else
+        return {0, 1, 2};
+}
+
+// The corners first, then a lattice on all faces. In 2D the face is the body's outline.
+template <int D>
+std::vector<Eigen::Vector3d> surface_points(const Eigen::Vector3d& half, double spacing) {
+    std::array<int, 3> steps{0, 0, 0};
+    for (const int axis : own_axes<D>()) {
+        steps[static_cast<std::size_t>(axis)] = static_cast<int>(std::ceil(2.0 * half[axis] / spacing));
     }
-    std::sort(slots.begin(), slots.end(), [&](std::size_t a, std::size_t b) {
-        return block_at<D>(grid.particle_blocks[a]) < block_at<D>(grid.particle_blocks[b]);
-    });
-    return slots;
+    std::vector<Eigen::Vector3d> corners, others;
+    for (int x = 0; x <= steps[0]; ++x) {
+        for (int y = 0; y <= steps[1]; ++y) {
+            for (int z = 0; z <= steps[2]; ++z) {
+                const std::array<int, 3> at{x, y, z};
+                int ends = 0;
+                Eigen::Vector3d point = Eigen::Vector3d::Zero();
+                for (const int axis : own_axes<D>()) {
+                    const auto a = static_cast<std::size_t>(axis);
+                    ends += at[a] == 0 || at[a] == steps[a];
+                    point[axis] = half[axis] * (2.0 * at[a] / steps[a] - 1.0);
+                }
+                if (ends == D)
+                    corners.push_back(point);
+                else if (ends > 0)
+                    others.push_back(point);
+            }
+        }
+    }
+    corners.insert(corners.end(), others.begin(), others.end());
+    return corners;
 }
 
-struct Momenta {
-    Eigen::Vector3d linear = Eigen::Vector3d::Zero();
-    Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+// A mirror near the body, from its centre, m.
+struct Pane {
+    int axis = 0;
+    double plane = 0.0;
 };
 
-// Summed per block in parallel, then over the blocks in the order of their places.
-template <int D, class Real>
-Momenta gathered_momenta(const Grid<D, Real>& grid, const RigidBody& body,
-                         const Particles<D, Real>& particles) {
-    std::vector<Momenta> of_block(grid.particle_blocks.size());
-    const double dx = grid.layout.cell_size;
-    const Index<D> anchor = anchor_of<D>(body);
-    for_each_motion(grid, particles,
-                    [&](std::size_t slot, const Index<D>& block, std::size_t p, const Vector<D, Real>& v,
-                        const Matrix<D, Real>& g) {
-                        const Eigen::Vector3d arm =
-                            lift<D>(global_position(grid.layout, block, particles, p, anchor)) - body.center;
-                        const Eigen::Vector3d velocity = lift<D>(v.template cast<double>());
-                        of_block[slot].linear += velocity;
-                        of_block[slot].angular +=
-                            arm.cross(velocity) + 0.25 * dx * twice_axial<D>(g.template cast<double>());
-                    });
-    Momenta total;
-    for (const std::size_t slot : blocks_of_body(grid, particles)) {
-        total.linear += particles.mass * of_block[slot].linear;
-        total.angular += particles.mass * of_block[slot].angular;
-    }
-    return total;
-}
-
-// The particles of one block that lie beyond one wall.
-struct Beyond {
-    double count = 0.0;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // of their positions, m
-    double deepest = 0.0;                           // m beyond the wall
+struct Panes {
+    std::array<Pane, 6> all;
+    std::size_t count = 0;
 };
 
-// Where the body touches the wall of `axis` at `plane` (m from the anchor) on the side `outward` (−1 or 1);
-// count 0 if it does not.
-template <int D, class Real>
-Beyond find_contact(const Grid<D, Real>& grid, const Particles<D, Real>& particles, const Index<D>& anchor,
-                    int axis, double outward, double plane) {
-    std::vector<Beyond> of_block(grid.particle_blocks.size());
-    for_each_particle(grid, particles, [&](std::size_t slot, const Index<D>& block, std::size_t p) {
-        const Vector<D, double> point = global_position(grid.layout, block, particles, p, anchor);
-        const double depth = outward * (point[axis] - plane);
-        if (depth <= 0.0) return;
-        of_block[slot].deepest = std::max(of_block[slot].deepest, depth);
-        of_block[slot].count += 1.0;
-        of_block[slot].sum += lift<D>(point);
-    });
-    Beyond total;
-    for (const std::size_t slot : blocks_of_body(grid, particles)) {
-        const Beyond& beyond = of_block[slot];
-        total.count += beyond.count;
-        total.sum += beyond.sum;
-        total.deepest = std::max(total.deepest, beyond.deepest);
+template <int D>
+Panes panes_near(const Layout<D>& layout, const RigidBody& body, const Index<D>& anchor) {
+    const double reach = body.radius() + 3.0 * layout.cell_size;
+    Panes panes;
+    for (std::size_t a = 0; a < D; ++a) {
+        const int axis = a == D - 1 ? 2 : static_cast<int>(a);
+        for (const std::size_t far : {std::size_t{0}, std::size_t{1}}) {
+            const double plane =
+                layout.cell_size * ((far ? layout.cells[a] : 0) - anchor[a]) - body.center[axis];
+            if (layout.mirrors[a][far] != Mirror::none && std::abs(plane) < reach)
+                panes.all[panes.count++] = {axis, plane};
+        }
     }
-    return total;
-}
-
-Eigen::Matrix3d turned_inertia(const RigidBody& body) {
-    const Eigen::Matrix3d r = body.rotation.toRotationMatrix();
-    return r * body.inertia * r.transpose();
-}
-
-// Stops the body at every wall that it reaches.
-template <int D, class Real>
-WallContact stop_at_walls(const Grid<D, Real>& grid, const Particles<D, Real>& particles, RigidBody& body) {
-    WallContact contact;
-    const Index<D> anchor = anchor_of<D>(body);
-    for (int wall = 0; wall < 2 * D; ++wall) {
-        const int axis = wall / 2;
-        const auto a = static_cast<std::size_t>(axis);
-        const double outward = wall % 2 == 0 ? -1.0 : 1.0;
-        const double plane = grid.layout.cell_size * ((wall % 2 == 0 ? 0 : grid.layout.cells[a]) - anchor[a]);
-        if (outward * (drop<D>(body.center)[axis] - plane) + body.radius < 0.0) continue;
-        const Beyond beyond = find_contact(grid, particles, anchor, axis, outward, plane);
-        if (beyond.count == 0.0) continue;
-        const Eigen::Vector3d normal = lift<D>(Vector<D, double>::Unit(axis) * outward);
-        const Eigen::Vector3d arm = beyond.sum / beyond.count - body.center;
-        const double correction = std::min(beyond.deepest, greatest_correction * grid.layout.cell_size);
-        body.center -= correction * normal;
-        contact.correction = std::max(contact.correction, correction);
-        const double approach = (body.velocity + body.angular_velocity.cross(arm)).dot(normal);
-        if (approach <= 0.0) continue;
-        const Eigen::Vector3d lever = arm.cross(normal);
-        const Eigen::LDLT<Eigen::Matrix3d> inertia = turned_inertia(body).ldlt();
-        const Eigen::Vector3d push = -approach / (1.0 / body.mass + lever.dot(inertia.solve(lever))) * normal;
-        body.velocity += push / body.mass;
-        body.angular_momentum += arm.cross(push);
-        body.angular_velocity = inertia.solve(body.angular_momentum);
-        contact.impulse += push;
-    }
-    return contact;
+    return panes;
 }
 
 }  // namespace
 
-template <int D, class Real>
-RigidBody make_rigid_body(const std::vector<Vector<D, double>>& points, double cell_size,
-                          Particles<D, Real>& particles) {
+template <int D>
+RigidBody make_rigid_body(const RigidStart<D>& start, double cell_size) {
     RigidBody body;
-    body.mass = particles.mass * static_cast<double>(points.size());
+    body.half_size = 0.5 * lift<D>(start.size);
     for (int axis = 0; axis < D; ++axis) {
-        const int block = static_cast<int>(std::floor(points[0][axis] / cell_size / Block<D>::width));
+        const int block = static_cast<int>(std::floor(start.center[axis] / cell_size / Block<D>::width));
         body.anchor[static_cast<std::size_t>(axis == D - 1 ? 2 : axis)] = block * Block<D>::width;
     }
-    const Eigen::Vector3d anchor =
-        cell_size * Eigen::Vector3d(body.anchor[0], body.anchor[1], body.anchor[2]);
-    for (const auto& point : points) body.center += lift<D>(point) - anchor;
-    body.center /= static_cast<double>(points.size());
-    particles.offset.clear();
-    for (const auto& point : points) {
-        const Eigen::Vector3d r = lift<D>(point) - anchor - body.center;
-        body.inertia +=
-            particles.mass * ((r.squaredNorm() + 0.5 * cell_size * cell_size) * Eigen::Matrix3d::Identity() -
-                              r * r.transpose());
-        body.radius = std::max(body.radius, r.norm());
-        particles.offset.push_back(drop<D>(r).template cast<Real>());
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(body.inertia, Eigen::EigenvaluesOnly);
-    const double least = D == 2 ? body.inertia(1, 1) : principal.eigenvalues()[0];
-    body.swing = std::sqrt(1.0 + body.mass * body.radius * body.radius / least);
+    body.center =
+        lift<D>(start.center) - cell_size * Eigen::Vector3d(body.anchor[0], body.anchor[1], body.anchor[2]);
+    // From x towards z is against the right-handed sense about y.
+    body.rotation = Eigen::AngleAxisd(-start.angle, Eigen::Vector3d::UnitY());
+    body.mass = start.density * start.size.prod();
+    const Eigen::Vector3d squares = body.half_size.cwiseAbs2() * body.mass / 3.0;
+    body.inertia = Eigen::Vector3d::Constant(squares.sum()) - squares;
+    body.velocity = lift<D>(start.velocity);
+    body.angular_velocity = {0.0, -start.spin, 0.0};
+    body.angular_momentum = turned_inertia(body) * body.angular_velocity;
+    body.contact = start.contact;
+    body.friction = start.friction;
+    body.surface = surface_points<D>(body.half_size, cell_size);
     return body;
 }
 
-template <int D, class Real>
-WallContact take_over_momentum(const Grid<D, Real>& grid, const Particles<D, Real>& particles,
-                               RigidBody& body) {
-    const Momenta momenta = gathered_momenta(grid, body, particles);
-    body.velocity = momenta.linear / body.mass;
-    body.angular_momentum = momenta.angular;
-    body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
-    return stop_at_walls(grid, particles, body);
+Eigen::Matrix3d turned_inertia(const RigidBody& body) {
+    const Eigen::Matrix3d r = body.rotation.toRotationMatrix();
+    return r * body.inertia.asDiagonal() * r.transpose();
 }
 
 void move_rigid_body(double dt, RigidBody& body) {
@@ -191,43 +127,111 @@ void move_rigid_body(double dt, RigidBody& body) {
     }
 }
 
-template <int D, class Real>
-void scatter_rigid(const Layout<D>& layout, const RigidBody& body, const Index<D>& block, std::size_t slot,
-                   Particles<D, Real>& particles, Node<Real>* tile) {
-    const Eigen::Matrix3d rotation = body.rotation.toRotationMatrix();
-    const auto mass = static_cast<Real>(particles.mass);
-    const Matrix<D, Real> gradient =
-        mass * (layout.cell_size * cross_matrix<D>(body.angular_velocity)).template cast<Real>();
-    const Index<D> anchor = anchor_of<D>(body);
-    for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-        const Eigen::Vector3d arm = rotation * lift<D>(particles.offset[p].template cast<double>());
-        const Vector<D, double> point = drop<D>(body.center + arm);
-        for (std::size_t axis = 0; axis < D; ++axis) {
-            const int first = layout.first_node(block[axis]) - anchor[axis];
-            const double cells = point[static_cast<int>(axis)] / layout.cell_size - first;
-            particles.position[axis][p] = stored<Real>(cells);
-        }
-        const Vector<D, double> velocity = drop<D>(body.velocity + body.angular_velocity.cross(arm));
-        scatter<D, Real>(local_position<D, Real>(particles, p), mass, mass * velocity.template cast<Real>(),
-                         gradient, tile);
-    }
-}
-
-double RigidBody::speed_bound() const { return swing * std::sqrt(2.0 * kinetic_energy(*this) / mass); }
-
 double kinetic_energy(const RigidBody& body) {
     return 0.5 * body.mass * body.velocity.squaredNorm() +
            0.5 * body.angular_velocity.dot(body.angular_momentum);
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                                      \
-    template RigidBody make_rigid_body(const std::vector<Vector<D, double>>&, double, Particles<D, Real>&); \
-    template WallContact take_over_momentum(const Grid<D, Real>&, const Particles<D, Real>&, RigidBody&);   \
-    template void scatter_rigid<D, Real>(const Layout<D>&, const RigidBody&, const Index<D>&, std::size_t,  \
-                                         Particles<D, Real>&, Node<Real>*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+double greatest_speed(const RigidBody& body) {
+    double most = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d sign(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+        most =
+            std::max(most, body.velocity_at(body.rotation * sign.cwiseProduct(body.half_size)).squaredNorm());
+    }
+    return std::sqrt(most);
+}
+
+template <int D>
+NodeShare share_of(const RigidBody& body, double cell_size, const Eigen::Vector3d& arm) {
+    const Eigen::Vector3d r = body.rotation.conjugate() * arm;
+    Eigen::Vector3d share = Eigen::Vector3d::Ones(), slope = Eigen::Vector3d::Zero();
+    for (const int k : own_axes<D>()) {
+        const double ahead = (body.half_size[k] - r[k]) / cell_size;
+        const double behind = (-body.half_size[k] - r[k]) / cell_size;
+        if (ahead <= -1.5 || behind >= 1.5) return {};
+        share[k] = spline_integral(ahead) - spline_integral(behind);
+        slope[k] = (spline(behind) - spline(ahead)) / cell_size;
+    }
+    const Eigen::Vector3d others(share[1] * share[2], share[0] * share[2], share[0] * share[1]);
+    return {share.prod(), body.rotation * slope.cwiseProduct(others)};
+}
+
+template <int D>
+NodeShare share_of_node(const Layout<D>& layout, const RigidBody& body, const Index<D>& node) {
+    const Index<D> anchor = anchor_of<D>(body);
+    Vector<D, double> from_anchor;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        from_anchor[static_cast<int>(axis)] = layout.cell_size * (node[axis] - anchor[axis]);
+    }
+    const Eigen::Vector3d arm = lift<D>(from_anchor) - body.center;
+    const Panes panes = panes_near(layout, body, anchor);
+    NodeShare sum;
+    // The node and its images as the body sees them; in a corner also the images of images.
+    for (unsigned through = 0; through < 1u << panes.count; ++through) {
+        Eigen::Vector3d seen = arm, sign = Eigen::Vector3d::Ones();
+        for (std::size_t n = 0; n < panes.count; ++n) {
+            if (!(through >> n & 1u)) continue;
+            const auto& [axis, plane] = panes.all[n];
+            seen[axis] = 2.0 * plane - seen[axis];
+            sign[axis] = -sign[axis];
+        }
+        const NodeShare share = share_of<D>(body, layout.cell_size, seen);
+        sum.value += share.value;
+        sum.slope += sign.cwiseProduct(share.slope);
+    }
+    return sum;
+}
+
+template <int D>
+NodeRange<D> reach_of(const Layout<D>& layout, const RigidBody& body) {
+    const Eigen::Vector3d spline = Eigen::Vector3d::Constant(1.5 * layout.cell_size);
+    const Eigen::Vector3d reach = body.rotation.toRotationMatrix().cwiseAbs() * (body.half_size + spline);
+    const Vector<D, double> low = drop<D>(body.center - reach), high = drop<D>(body.center + reach);
+    const Index<D> anchor = anchor_of<D>(body);
+    NodeRange<D> range;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        const int a = static_cast<int>(axis);
+        range.first[axis] = anchor[axis] + static_cast<int>(std::ceil(low[a] / layout.cell_size));
+        range.last[axis] = anchor[axis] + static_cast<int>(std::floor(high[a] / layout.cell_size));
+        constexpr int images = 3;
+        const auto& [near, far] = layout.mirrors[axis];
+        if (near != Mirror::none && range.first[axis] <= 0)
+            range.first[axis] = std::min(range.first[axis], -images);
+        if (far != Mirror::none && range.last[axis] >= layout.cells[axis])
+            range.last[axis] = std::max(range.last[axis], layout.cells[axis] + images);
+    }
+    return range;
+}
+
+template <int D>
+std::vector<Vector<D, double>> points_within(const RigidBody& body, double cell_size, double spacing) {
+    std::array<int, 3> count{1, 1, 1};
+    for (const int axis : own_axes<D>()) {
+        const double along = 2.0 * body.half_size[axis] / spacing;
+        count[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(std::lround(along)));
+    }
+    const Eigen::Vector3d center = body.center_in_box(cell_size);
+    std::vector<Vector<D, double>> points;
+    for (int x = 0; x < count[0]; ++x) {
+        for (int y = 0; y < count[1]; ++y) {
+            for (int z = 0; z < count[2]; ++z) {
+                const Eigen::Vector3d share((2 * x + 1.0) / count[0] - 1.0, (2 * y + 1.0) / count[1] - 1.0,
+                                            (2 * z + 1.0) / count[2] - 1.0);
+                points.push_back(drop<D>(center + body.rotation * share.cwiseProduct(body.half_size)));
+            }
+        }
+    }
+    return points;
+}
+
+#define TIDEWATER_INSTANTIATE(D)                                                              \
+    template RigidBody make_rigid_body(const RigidStart<D>&, double);                         \
+    template NodeShare share_of<D>(const RigidBody&, double, const Eigen::Vector3d&);         \
+    template NodeShare share_of_node<D>(const Layout<D>&, const RigidBody&, const Index<D>&); \
+    template NodeRange<D> reach_of<D>(const Layout<D>&, const RigidBody&);                    \
+    template std::vector<Vector<D, double>> points_within<D>(const RigidBody&, double, double);
+TIDEWATER_INSTANTIATE(2)
+TIDEWATER_INSTANTIATE(3)
 
 }  // namespace tidewater::mpm

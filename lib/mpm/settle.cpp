@@ -43,11 +43,6 @@ Motion motion_of(const Simulation<D, Real>& s) {
 template <int D, class Real>
 void stop_everything(Simulation<D, Real>& s) {
     for (auto& node : s.grid.nodes) node.template head<3>().setZero();
-    for (RigidBody& body : s.rigid) {
-        body.velocity.setZero();
-        body.angular_momentum.setZero();
-        body.angular_velocity.setZero();
-    }
     s.speeds.particle = 0.0;
 }
 
@@ -60,6 +55,11 @@ void begin_time(Simulation<D, Real>& s) {
     s.gravity_impulse = 0.0;
     s.boundary_work = 0.0;
     s.outflow = {};
+    for (RigidBody& body : s.rigid) {
+        body.water_impulse.setZero();
+        body.water_turn.setZero();
+        body.contact_impulse.setZero();
+    }
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 //
 // Kinetic damping (Cundall 1976; Barnes 1988, dynamic relaxation): the scene moves freely until the kinetic
 // energy of its ice (of everything, without ice) falls again, and then everything is stopped. It needs no
-// rate. Meanwhile s.time stays 0, ice does not fail, and nothing pushes.
+// rate. Meanwhile s.time stays 0, ice does not fail, nothing pushes, and rigid bodies are held where they
+// are; with their start's velocity they are let go when time begins.
 //
 // It ends when a wave as strong as what is left is no danger: at several peaks in a row ρ c v ≤ tolerance,
 // with v the root mean square speed of the ice. Test: tests/unit/mpm/settle_test.cpp.

@@ -8,12 +8,11 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "mpm/binning.h"
+#include "mpm/contact.h"
 #include "mpm/crowding.h"
-#include "mpm/lift.h"
 #include "mpm/motion.h"
 #include "mpm/particle_pass.h"
 #include "mpm/restore.h"
-#include "mpm/rigid_nodes.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -36,7 +35,7 @@ std::string where(const Simulation<D, Real>& s, const char* phase) {
 // By how many cells things may move in a step when they do at this speed.
 template <int D, class Real>
 double cells_moved(const Simulation<D, Real>& s, double speed) {
-    return speed * s.dt / s.grid.layout.cell_size + s.push;
+    return speed * s.dt / s.grid.layout.cell_size;
 }
 
 // A bound of the speed of all particles, m/s: the nodes' and, only where that is too much for the step, the
@@ -46,10 +45,7 @@ template <int D, class Real>
 double fastest(const Simulation<D, Real>& s) {
     if (cells_moved(s, s.speeds.particle) <= sorting_margin) return s.speeds.particle;
     double most = 0.0;
-    for (const RigidBody& body : s.rigid) most = std::max(most, body.speed_bound());
-    for (const auto& particles : s.bodies) {
-        if (particles.material != Material::rigid) most = std::max(most, greatest_motion(s.grid, particles));
-    }
+    for (const auto& particles : s.bodies) most = std::max(most, greatest_motion(s.grid, particles));
     return most;
 }
 
@@ -119,12 +115,11 @@ template <int D, class Real>
 
 template <int D, class Real>
 void move_particles(Simulation<D, Real>& s, double next_dt) {
-    for (RigidBody& body : s.rigid) move_rigid_body(s.dt, body);
     const PassContext<D, Real> context(s, next_dt);
     std::vector<PassResult<D>> results(s.grid.particle_blocks.size());
     parallel_for(results.size(), [&](std::size_t slot) {
         alignas(64) Tile<D, Real> tile;
-        load_velocities(s.grid, slot, Parity::velocity, tile.data());
+        load_velocities(s.grid, slot, tile.data());
         if (context.crowding_rate > Real(0) && has_water(s, slot)) load_crowding(s, slot, tile.data());
         results[slot] = pass_over_block(context, slot, tile.data(), s);
     });
@@ -136,6 +131,7 @@ void move_particles(Simulation<D, Real>& s, double next_dt) {
     }
     if (all.unusable || !(all.least_j > -1.0)) fail_at_bad_particle(s);
     update_sound(s, all.least_j);
+    for (RigidBody& body : s.rigid) move_rigid_body(s.dt, body);  // the pass knew where they were
 }
 
 // The greatest |v|² of a block's nodes; NaN if a velocity is not finite.
@@ -180,7 +176,7 @@ void add_unfolding_impulse(Simulation<D, Real>& s) {
         const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
         if (!has_mirror<D>(s.grid.layout, block)) return;
         Tile<D, Real> tile;
-        load_velocities(s.grid, slot, Parity::velocity, tile.data());
+        load_velocities(s.grid, slot, tile.data());
         of_block[slot] = unfolding_impulse<D, Real>(s.grid.layout, block, tile.data(), s.grid.tile(slot));
     });
     for (const auto& impulse : of_block) s.wall_impulse += impulse;
@@ -188,6 +184,7 @@ void add_unfolding_impulse(Simulation<D, Real>& s) {
 
 template <int D, class Real>
 void update_grid(Simulation<D, Real>& s, double next_dt) {
+    auto began = Clock::now();
     const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
     std::vector<WallAction<D>> actions(s.grid.node_blocks.size());
     std::vector<double> speed2(actions.size());
@@ -213,10 +210,9 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
         if (plain) finish(slot, next_dt);
     });
     if (!plain) {
-        std::size_t next = 0;
-        for (const auto& particles : s.bodies) {
-            if (particles.material == Material::rigid) move_nodes_as_one(particles, s.rigid[next++], s.grid);
-        }
+        const auto clock = charge(s, Phase::grid, began);
+        meet_bodies(next_dt, next_dt, s);
+        began = charge(s, Phase::rigid, clock);
         parallel_for(actions.size(), [&](std::size_t slot) { finish(slot, next_dt); });
     }
     double greatest = 0.0;
@@ -232,6 +228,7 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
     take_actions();
     if (s.parameters.transfer == Transfer::restored) {
         restore_velocities(s);
+        meet_bodies(next_dt, 0.0, s);
         parallel_for(actions.size(), [&](std::size_t slot) { finish(slot, 0.0); });
         take_actions();
     }
@@ -241,6 +238,11 @@ void update_grid(Simulation<D, Real>& s, double next_dt) {
         s.gravity_impulse -=
             particles.mass * static_cast<double>(particles.size()) * s.parameters.gravity * next_dt;
     }
+    for (const RigidBody& body : s.rigid) {
+        s.gravity_impulse -= body.mass * s.parameters.gravity * next_dt;
+        s.speeds.particle = std::max(s.speeds.particle, greatest_speed(body));
+    }
+    charge(s, Phase::grid, began);
 }
 
 }  // namespace
@@ -268,24 +270,9 @@ void update_sound(Simulation<D, Real>& s, double least_j) {
 }
 
 template <int D, class Real>
-void update_rigid(Simulation<D, Real>& s) {
-    std::size_t next = 0;
-    s.push = 0.0;
-    for (const auto& particles : s.bodies) {
-        if (particles.material != Material::rigid) continue;
-        RigidBody& body = s.rigid[next++];
-        const WallContact contact = take_over_momentum(s.grid, particles, body);
-        s.push = std::max(s.push, contact.correction / s.grid.layout.cell_size);
-        s.speeds.particle = std::max(s.speeds.particle, body.speed_bound());
-        s.wall_impulse += drop<D>(contact.impulse);
-    }
-}
-
-template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& s) {
     const double dx = s.grid.layout.cell_size, v = s.speeds.particle;
-    double g = s.parameters.gravity;
-    for (const RigidBody& body : s.rigid) g = std::max(g, body.swing * s.parameters.gravity);
+    const double g = s.parameters.gravity;
     // v Δt + g Δt² ≤ 0.4 Δx, solved without cancellation; leaves room within the sorting margin.
     const double reach = 0.4 * dx;
     const double falling = 2.0 * reach / (v + std::sqrt(v * v + 4.0 * g * reach));
@@ -298,11 +285,8 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     sort_if_needed(s);
     clock = charge(s, Phase::sort, clock);
     move_particles(s, next_dt);
-    clock = charge(s, Phase::pass, clock);
+    charge(s, Phase::pass, clock);
     update_grid(s, next_dt);
-    clock = charge(s, Phase::grid, clock);
-    update_rigid(s);
-    charge(s, Phase::rigid, clock);
     s.time += s.dt;
     s.dt = next_dt;
     ++s.step;
@@ -325,7 +309,6 @@ std::uint64_t state_hash(const Simulation<D, Real>& s) {
     template double stable_time_step(const Simulation<D, Real>&); \
     template void advance(Simulation<D, Real>&, double);          \
     template void update_sound(Simulation<D, Real>&, double);     \
-    template void update_rigid(Simulation<D, Real>&);             \
     template std::uint64_t state_hash(const Simulation<D, Real>&);
 TIDEWATER_INSTANTIATE(2, float)
 TIDEWATER_INSTANTIATE(2, double)

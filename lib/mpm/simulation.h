@@ -5,8 +5,8 @@
 //     sort        only when a particle might leave its block's margin; before it outlet and sponge take water
 //     pass        nodes → particles (G2P), strain and position advance by s.dt, then particles → tiles (P2G)
 //                 with the forces of the coming step `next`: all while a batch of particles is in the cache
-//     grid        tiles → nodes, momentum → velocity, gravity, rigid bodies' nodes, walls
-//     rigid       each body takes over its particles' momentum
+//     grid        tiles → nodes, momentum → velocity, gravity, walls
+//     rigid       before the walls: rigid bodies meet their nodes, walls and each other (mpm/contact.h)
 // Sums over blocks are taken in block order: any number of threads gives the same bits.
 //
 // So at s.time the positions and strains are those of that time, and the velocities already have the forces
@@ -43,7 +43,7 @@ struct Parameters {
     IceModel ice;
     Boundaries<D> boundaries;
     Outlet outlet;
-    Transfer transfer = Transfer::apic;  // restored: not with rigid bodies
+    Transfer transfer = Transfer::apic;  // restored: not beside rigid bodies
 };
 
 // The settle phase before time begins (mpm/settle.h).
@@ -57,7 +57,7 @@ struct Settling {
 
 // What the time step depends on.
 struct Speeds {
-    double particle = 0.0;  // the greatest |v| of a node, or a rigid body's bound where that is more, m/s
+    double particle = 0.0;  // the greatest |v| of a node, or of a rigid body where that is more, m/s
     double sound = 0.0;     // greatest c, m/s; 0 without water and ice
 };
 
@@ -69,7 +69,7 @@ struct Simulation {
     Parameters<D> parameters;
     Grid<D, Real> grid;
     std::vector<Particles<D, Real>> bodies;
-    std::vector<RigidBody> rigid;  // of the rigid entries of bodies, in their order
+    std::vector<RigidBody> rigid;
 
     double time = 0.0;  // s
     double dt = 0.0;    // of the step that comes, whose forces the velocities have already, s
@@ -77,8 +77,7 @@ struct Simulation {
     Speeds speeds;
     double drift = 0.0;  // cells that a particle may have moved since the last sort
     std::vector<std::uint8_t>
-        unknown_fill;   // [node block][node], not 0: mpm/crowding.h; empty if there is none
-    double push = 0.0;  // cells by which walls moved a rigid body ahead of its particles
+        unknown_fill;  // [node block][node], not 0: mpm/crowding.h; empty if there is none
 
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that the walls gave since the start
     double gravity_impulse = 0.0;                                // along the last axis, likewise
@@ -101,12 +100,9 @@ double stable_time_step(const Simulation<D, Real>& simulation);
 template <int D, class Real>
 void advance(Simulation<D, Real>& simulation, double next_dt);
 
-// What advance does and make_simulation begins with: the greatest sound speed, with least_j ≤ 0 the least j
-// of the water; and each rigid body takes over the momentum on the grid, stopped by the walls.
+// The greatest sound speed, with least_j ≤ 0 the least j of the water.
 template <int D, class Real>
 void update_sound(Simulation<D, Real>& simulation, double least_j);
-template <int D, class Real>
-void update_rigid(Simulation<D, Real>& simulation);
 
 // Fingerprint of all particles, in their order, and all nodes.
 template <int D, class Real>

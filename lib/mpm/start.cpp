@@ -102,8 +102,8 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
                 scatter<D, Real>(local_position(particles, p), static_cast<Real>(particles.mass),
                                  momentum.template cast<Real>(), change.template cast<Real>(), own.data());
             }
-            fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]),
-                          parity_of(particles.material), own.data());
+            fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]), Parity::velocity,
+                          own.data());
             for (std::size_t n = 0; n < own.size(); ++n) tile[n] += own[n];
             first_id += static_cast<std::uint32_t>(particles.size());
         }
@@ -147,15 +147,15 @@ Simulation<D, Real> make_simulation(Start<D> start) {
         particles.mass = body.mass / count;
         particles.volume = body.volume / count;
         least_j = std::min(least_j, fill_columns(start, body, j, particles));
-        if (body.material == Material::rigid) {
-            s.rigid.push_back(make_rigid_body(body.points, start.cell_size, particles));
-        }
     }
     update_sound(s, least_j);
     place<D, Real>(points, s.grid, s.bodies);
     mark_unknown_fill(s);
     scatter_start(start, bodies, s);
-    update_rigid(s);
+    for (const RigidStart<D>& body : start.rigid) {
+        s.rigid.push_back(make_rigid_body(body, start.cell_size));
+        s.speeds.particle = std::max(s.speeds.particle, greatest_speed(s.rigid.back()));
+    }
     return s;
 }
 

@@ -21,7 +21,8 @@ struct Start {
     double cell_size = 0.0;
     Index<D> cells{};
     Parameters<D> parameters;
-    std::vector<Body> bodies;  // bodies without points are left out
+    std::vector<Body> bodies;  // of water and ice; those without points are left out
+    std::vector<RigidStart<D>> rigid;
 };
 
 // Time 0, s.dt = 0, velocities as given. Water of the scheme `density` is compressed by its weight: its

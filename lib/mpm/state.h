@@ -27,7 +27,6 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("speeds.particle", s.speeds.particle);
     visit("speeds.sound", s.speeds.sound);
     visit("drift", s.drift);
-    visit("push", s.push);
     visit("unknown_fill", s.unknown_fill);
     visit("wall_impulse", s.wall_impulse);
     visit("gravity_impulse", s.gravity_impulse);
@@ -61,10 +60,9 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
         visit(of + "velocity", rigid.velocity);
         visit(of + "angular_momentum", rigid.angular_momentum);
         visit(of + "angular_velocity", rigid.angular_velocity);
-        visit(of + "inertia", rigid.inertia);
-        visit(of + "mass", rigid.mass);
-        visit(of + "radius", rigid.radius);
-        visit(of + "swing", rigid.swing);
+        visit(of + "water_impulse", rigid.water_impulse);
+        visit(of + "water_turn", rigid.water_turn);
+        visit(of + "contact_impulse", rigid.contact_impulse);
     }
 }
 

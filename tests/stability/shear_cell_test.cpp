@@ -25,10 +25,11 @@ Start<D> shear_cell(bool cap) {
     low[0] = 2.0, high[0] = 2.0 + length, high[D - 1] = thick;
     test::add_ice<D>(test::box_shape<D>(low, high), start);
     low[D - 1] = thick, high[D - 1] = end;
-    auto& slab = test::add_ice<D>(test::box_shape<D>(low, high), start);
-    slab.material = Material::rigid;
-    slab.mass = 0.5e6 / 9.81 * slab.volume / (end - thick);
-    slab.velocity.assign(slab.points.size(), 10.0 * Vector<D, double>::Unit(0));
+    start.rigid.push_back({.size = high - low,
+                           .center = 0.5 * (low + high),
+                           .density = 0.5e6 / 9.81 / (end - thick),
+                           .contact = BodyContact::stick,
+                           .velocity = 10.0 * Vector<D, double>::Unit(0)});
     return start;
 }
 

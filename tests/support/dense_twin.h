@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cmath>
-#include <map>
 #include <vector>
 
 #include "mpm/crowding.h"
 #include "mpm/start.h"
+#include "support/dense_body.h"
 #include "support/dense_ice.h"
 
 namespace tidewater::test {
@@ -21,7 +21,7 @@ struct DenseTwin {
     struct Particle {
         std::size_t body;
         double mass, volume, j, alpha;
-        Vec x, v, r0;
+        Vec x, v;
         Mat c, b;
     };
     struct Node {
@@ -31,9 +31,7 @@ struct DenseTwin {
 
     mpm::Start<D> start;
     std::vector<Particle> particles;
-    std::vector<Vec> center;                       // of each body
-    std::vector<Eigen::Quaterniond> rotation;      // of each body
-    std::vector<Eigen::Vector3d> linear, angular;  // momenta of each rigid body, kg m/s and kg m²/s
+    std::vector<DenseBody<D>> rigid;
     std::vector<Node> grid;  // of the box and `rim` nodes around it, the last axis fastest
 
     static constexpr int rim = 3;
@@ -42,12 +40,6 @@ struct DenseTwin {
         for (std::size_t b = 0; b < start.bodies.size(); ++b) {
             const auto& body = start.bodies[b];
             const double count = static_cast<double>(body.points.size());
-            Vec middle = Vec::Zero();
-            for (const Vec& x : body.points) middle += x / count;
-            center.push_back(middle);
-            rotation.push_back(Eigen::Quaterniond::Identity());
-            linear.push_back(Eigen::Vector3d::Zero());
-            angular.push_back(Eigen::Vector3d::Zero());
             for (std::size_t n = 0; n < body.points.size(); ++n) {
                 Vec x = body.points[n];
                 const mpm::WaterModel& model = start.parameters.water;
@@ -60,25 +52,19 @@ struct DenseTwin {
                     x[D - 1] = body.surface - mpm::depth_of_weight(denser * depth, g, model);
                     j = mpm::j_under_weight(denser * depth, g, model);
                 }
-                particles.push_back(
-                    {b, denser * body.mass / count, denser * body.volume / count, j,
-                     start.parameters.ice.initial_alpha(D), x,
-                     body.velocity.empty() ? Vec::Zero().eval() : body.velocity[n], x - middle,
-                     body.gradient.empty() ? Mat::Zero().eval() : body.gradient[n], Mat::Identity()});
+                particles.push_back({b, denser * body.mass / count, denser * body.volume / count, j,
+                                     start.parameters.ice.initial_alpha(D), x,
+                                     body.velocity.empty() ? Vec::Zero().eval() : body.velocity[n],
+                                     body.gradient.empty() ? Mat::Zero().eval() : body.gradient[n],
+                                     Mat::Identity()});
             }
         }
+        for (const auto& body : start.rigid) rigid.emplace_back(body);
         // The start's velocities go to the grid once and come back as the first step reads them.
         scatter(0);
         for_each_image([&](Node& beyond, Node& image, const Vec& sign) { fold(sign, beyond, image); });
         for (Node& node : grid) node.momentum /= node.mass > 0 ? node.mass : 1;
         gather(0);
-    }
-
-    template <class Visit>
-    void for_each_rigid_body(const Visit& visit) {
-        for (std::size_t b = 0; b < start.bodies.size(); ++b) {
-            if (start.bodies[b].material == Material::rigid && !start.bodies[b].points.empty()) visit(b);
-        }
     }
 
     std::size_t index(const Cell& node) const {
@@ -128,16 +114,62 @@ struct DenseTwin {
             node.momentum /= node.mass;  // velocity from here on
             node.momentum[D - 1] -= dt * start.parameters.gravity;
         }
-        for_each_rigid_body([&](std::size_t b) { move_nodes_as_one(b); });
+        for (DenseBody<D>& body : rigid) meet(body, dt);
         for (std::size_t n = 0; n < grid.size(); ++n) apply_walls(node_at(n), grid[n].momentum);
         gather(dt);
+    }
+
+    // Velocities on the grid in, velocities out, of the nodes and of the body.
+    void meet(DenseBody<D>& body, double dt) {
+        body.velocity[2] -= dt * start.parameters.gravity;
+        std::vector<typename DenseBody<D>::Touched> touched;
+        for (std::size_t n = 0; n < grid.size(); ++n) {
+            if (grid[n].mass == 0) continue;
+            const auto share = share_at(body, node_at(n));
+            if (share.value <= body.least_share()) continue;
+            touched.push_back(
+                body.touch(n, place_of(node_at(n)), grid[n].mass, grid[n].momentum, share, start.cell_size));
+        }
+        body.meet(touched);
+        for (const auto& node : touched) grid[node.index].momentum = drop(node.velocity);
+    }
+
+    Vec place_of(const Cell& i) const {
+        Vec x;
+        for (std::size_t axis = 0; axis < D; ++axis) x[static_cast<int>(axis)] = start.cell_size * i[axis];
+        return x;
+    }
+
+    // What the body and its images beyond walls that mirror have of a node.
+    typename DenseBody<D>::Share share_at(const DenseBody<D>& body, const Cell& i) const {
+        typename DenseBody<D>::Share sum{0, Vec::Zero()};
+        // Each axis as it is, or through its first or its second wall.
+        for (int k = 0; k < mpm::power(3, D); ++k) {
+            Cell image = i;
+            Vec sign = Vec::Ones();
+            bool mirrored = true;
+            for (std::size_t axis = 0, rest = static_cast<std::size_t>(k); axis < D; ++axis, rest /= 3) {
+                if (rest % 3 == 0) continue;
+                const std::size_t side = rest % 3 - 1;
+                mirrored =
+                    mirrored && start.parameters.boundaries.walls[axis][side] != mpm::WallRule::separate;
+                image[axis] = (side == 0 ? 0 : 2 * start.cells[axis]) - i[axis];
+                sign[static_cast<int>(axis)] = -1;
+            }
+            if (!mirrored) continue;
+            const auto share = body.share(place_of(image), start.cell_size);
+            sum.value += share.value;
+            sum.slope += sign.cwiseProduct(share.slope);
+        }
+        return sum;
     }
 
     // Whether J follows the room that particles have (mpm/crowding.h); here only for water between mirrors.
     bool follows_room() const { return start.parameters.water.scheme == mpm::WaterScheme::density; }
 
     // By how much more than fits there is water at a node.
-    double crowding(Cell i) const {
+    std::vector<double> crowding;  // of every node
+    double crowding_at(Cell i) const {
         double full = start.parameters.water.density * std::pow(start.cell_size, D);
         for (std::size_t axis = 0; axis < D; ++axis) {
             const int last = start.cells[axis];
@@ -145,7 +177,8 @@ struct DenseTwin {
             if (i[axis] > last) i[axis] = 2 * last - i[axis];
             if (i[axis] == 0 || i[axis] == last) full /= 2;
         }
-        const double fill = grid[index(i)].mass / full;
+        double fill = grid[index(i)].mass / full;
+        for (const DenseBody<D>& body : rigid) fill += share_at(body, i).value;
         return fill > mpm::least_fill ? fill - 1 : 0;
     }
     double smooth_crowding(const Cell& i) const {
@@ -157,7 +190,7 @@ struct DenseTwin {
                 other[axis] += static_cast<int>(rest % 3) - 1;
                 share *= rest % 3 == 1 ? 0.5 : 0.25;
             }
-            sum += share * crowding(other);
+            sum += share * crowding[index(other)];
         }
         return sum;
     }
@@ -186,7 +219,7 @@ struct DenseTwin {
         for (const Particle& p : particles) {
             const Mat q = p.mass * p.c - dt * p.volume * 4 / (dx * dx) * stress(p);
             for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                Node& node = grid[index(place(p, i))];
+                Node& node = grid[index(i)];
                 node.mass += w * p.mass;
                 node.momentum += w * (p.mass * p.v + q * d);
             });
@@ -226,19 +259,6 @@ struct DenseTwin {
         }
     }
 
-    // The node that a particle's node stands for: what of a rigid body reaches just beyond a mirror acts on
-    // the image there, unchanged.
-    Cell place(const Particle& p, Cell node) const {
-        if (material(p) != Material::rigid) return node;
-        for (std::size_t axis = 0; axis < D; ++axis) {
-            const auto& [near, far] = start.parameters.boundaries.walls[axis];
-            const int last = start.cells[axis];
-            if (near != mpm::WallRule::separate && node[axis] == -1) node[axis] = 1;
-            if (far != mpm::WallRule::separate && node[axis] == last + 1) node[axis] = last - 1;
-        }
-        return node;
-    }
-
     static void fold(const Vec& sign, Node& beyond, Node& image) {
         image.mass += beyond.mass;
         image.momentum += sign.cwiseProduct(beyond.momentum);
@@ -250,15 +270,18 @@ struct DenseTwin {
         for_each_image([](Node& beyond, Node& image, const Vec& sign) {
             beyond.momentum = sign.cwiseProduct(image.momentum);
         });
+        crowding.assign(grid.size(), 0);
+        if (follows_room()) {
+            for (std::size_t n = 0; n < grid.size(); ++n) crowding[n] = crowding_at(node_at(n));
+        }
         for (Particle& p : particles) {
             p.v.setZero();
             p.c.setZero();
             for_each_node(p.x, [&](const Cell& i, double w, const Vec& d) {
-                const Vec& u = grid[index(place(p, i))].momentum;
+                const Vec& u = grid[index(i)].momentum;
                 p.v += w * u;
                 p.c += 4 / (dx * dx) * w * u * d.transpose();
             });
-            if (material(p) == Material::rigid) continue;
             double made_good = 0;
             if (material(p) == Material::water && follows_room()) {
                 double e = 0;
@@ -275,104 +298,14 @@ struct DenseTwin {
             const bool may_fail = material(p) == Material::ice && start.parameters.ice.fracture;
             if (may_fail) return_to_yield<D>(start.parameters.ice, p.b, p.alpha);
         }
-        for_each_rigid_body([&](std::size_t b) { move_rigid(b, dt); });
+        for (DenseBody<D>& body : rigid) body.move(dt);
     }
 
-    static Eigen::Vector3d lift(const Vec& v) {
-        if constexpr (D == 3)
-            return v;
-        else
-            return {v[0], 0, v[1]};
-    }
     static Vec drop(const Eigen::Vector3d& v) {
         if constexpr (D == 3)
             return v;
         else
             return {v[0], v[2]};
-    }
-
-    // Every node that a body fills by 1/48 or more takes part in one rigid motion with the momentum of these
-    // nodes.
-    void move_nodes_as_one(std::size_t body) {
-        std::map<Cell, double> filled;
-        for (const Particle& p : particles) {
-            if (p.body != body) continue;
-            for_each_node(p.x, [&](const Cell& i, double w, const Vec&) {
-                filled[i] += w * p.volume / std::pow(start.cell_size, D);
-            });
-        }
-        std::map<Cell, Eigen::Vector3d> touched;
-        for (const auto& [i, share] : filled) {
-            if (share <= 1.0 / 48.0) continue;
-            Vec x;
-            for (int axis = 0; axis < D; ++axis)
-                x[axis] = i[static_cast<std::size_t>(axis)] * start.cell_size;
-            touched[i] = lift(x);
-        }
-        double mass = 0;
-        Eigen::Vector3d middle = Eigen::Vector3d::Zero(), impulse = middle, spin = middle;
-        for (const auto& [i, x] : touched) {
-            const Node& node = grid[index(i)];
-            mass += node.mass;
-            middle += node.mass * x;
-            impulse += node.mass * lift(node.momentum);
-        }
-        middle /= mass;
-        Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-        for (const auto& [i, x] : touched) {
-            const Eigen::Vector3d r = x - middle;
-            const Node& node = grid[index(i)];
-            turn += node.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
-            spin += node.mass * r.cross(lift(node.momentum));
-        }
-        const Eigen::Vector3d omega = turn.inverse() * spin;
-        for (const auto& [i, x] : touched)
-            grid[index(i)].momentum = drop(impulse / mass + omega.cross(x - middle));
-    }
-
-    Eigen::Matrix3d inertia(std::size_t body) const {
-        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-        for (const Particle& p : particles) {
-            if (p.body != body) continue;
-            const Eigen::Vector3d r = rotation[body] * lift(p.r0);
-            sum += p.mass *
-                   ((r.squaredNorm() + start.cell_size * start.cell_size / 2) * Eigen::Matrix3d::Identity() -
-                    r * r.transpose());
-        }
-        return sum;
-    }
-
-    void move_rigid(std::size_t body, double dt) {
-        double mass = 0;
-        linear[body].setZero();
-        angular[body].setZero();
-        for (const Particle& p : particles) {
-            if (p.body != body) continue;
-            mass += p.mass;
-            linear[body] += p.mass * lift(p.v);
-            Eigen::Matrix3d c = Eigen::Matrix3d::Zero();
-            for (int col = 0; col < D; ++col) c.col(D == 2 ? 2 * col : col) = lift(p.c.col(col));
-            const Eigen::Vector3d twice_axial(c(2, 1) - c(1, 2), c(0, 2) - c(2, 0), c(1, 0) - c(0, 1));
-            angular[body] += p.mass * ((lift(p.x) - lift(center[body])).cross(lift(p.v)) +
-                                       start.cell_size * start.cell_size / 4 * twice_axial);
-        }
-        const Eigen::Vector3d velocity = linear[body] / mass;
-        Eigen::Vector3d omega = inertia(body).inverse() * angular[body];
-        center[body] += dt * drop(velocity);
-        if (omega.norm() > 0) {
-            const Eigen::AngleAxisd turn(dt * omega.norm(), omega.normalized());
-            rotation[body] = Eigen::Quaterniond(turn) * rotation[body];
-            omega = inertia(body).inverse() * angular[body];
-        }
-        Eigen::Matrix3d cross;
-        cross << 0, -omega[2], omega[1], omega[2], 0, -omega[0], -omega[1], omega[0], 0;
-        for (Particle& p : particles) {
-            if (p.body != body) continue;
-            const Eigen::Vector3d r = rotation[body] * lift(p.r0);
-            p.x = center[body] + drop(r);
-            p.v = drop(velocity + omega.cross(r));
-            for (int col = 0; col < D; ++col) p.c.col(col) = drop(cross.col(D == 2 ? 2 * col : col));
-        }
     }
 };
 

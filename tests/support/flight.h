@@ -1,4 +1,4 @@
-// Starts for tests: cubes of water, ice and rigid bodies that fly, spin and meet, with or without weight.
+// Starts for tests: cubes of water, ice and what is rigid that fly, spin and meet, with or without weight.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ void add_cube(const Cube<D>& cube, mpm::Start<D>& start) {
     Matrix<D, double> gradient = Matrix<D, double>::Zero();
     gradient(0, D - 1) = cube.turning;
     gradient(D - 1, 0) = -cube.turning;
-    if (cube.material != Material::rigid) gradient(D - 1, D - 1) = cube.stretching;
+    gradient(D - 1, D - 1) = cube.stretching;
     for (int n = 0; n < mpm::power(along, D); ++n) {
         Vector<D, double> point;
         for (int axis = D - 1, rest = n; axis >= 0; --axis, rest /= along) {
@@ -52,6 +52,18 @@ void add_cube(const Cube<D>& cube, mpm::Start<D>& start) {
     body.volume = std::pow(cube.size * start.cell_size, D);
     body.mass = density * body.volume;
     body.surface = -1.0;  // no pressure at the start
+}
+
+// Likewise as a rigid body.
+template <int D>
+void add_rigid(const Cube<D>& cube, mpm::Start<D>& start) {
+    const Vector<D, double> size = Vector<D, double>::Constant(start.cell_size * cube.size);
+    start.rigid.push_back({.size = size,
+                           .center = start.cell_size * cube.corner + 0.5 * size,
+                           .density = 900.0,
+                           .contact = mpm::BodyContact::stick,
+                           .velocity = cube.velocity,
+                           .spin = -cube.turning});
 }
 
 // Soft ice and slow water in an empty box with Δx = 1/16 m: sound at 20 … 40 m/s, failure at 0.1 % of strain.
@@ -84,9 +96,10 @@ mpm::Start<D> flying_start(Scene scene, int cells, double at) {
     start.parameters.ice.fracture = scene != Scene::elastic_ice;
     const double size = D == 2 ? 6.0 : 3.0;
     const auto cube = [&](Material material, double right, double up, double speed) {
-        add_cube<D>({material, cells_at<D>(at + right, at, at + up), size,
-                     cells_at<D>(0.5 + speed, 0.05, 0.1 - 0.3 * speed), 0.7, 0.5},
-                    start);
+        const Cube<D> cube{material, cells_at<D>(at + right, at, at + up),
+                           size,     cells_at<D>(0.5 + speed, 0.05, 0.1 - 0.3 * speed),
+                           0.7,      0.5};
+        material == Material::rigid ? add_rigid(cube, start) : add_cube(cube, start);
     };
     const bool mixed = scene == Scene::mixed;
     if (scene == Scene::water || mixed) cube(Material::water, 0.0, 0.0, 0.0);

@@ -9,7 +9,7 @@ namespace tidewater::test {
 
 template <int D>
 struct State {
-    std::vector<Vector<D, double>> x, v;  // m, m/s; v as read from the grid, also of rigid particles
+    std::vector<Vector<D, double>> x, v;  // m, m/s; v as read from the grid
     std::vector<Matrix<D, double>> c;     // ∂v/∂x, 1/s
     std::vector<Matrix<D, double>> b;     // I + ε_b; ice
     std::vector<double> mass, j, alpha;
@@ -81,7 +81,14 @@ Momenta<D> momenta_of(const State<D>& state, double cell_size) {
 
 template <int D, class Real>
 Momenta<D> momenta_of(const mpm::Simulation<D, Real>& s) {
-    return momenta_of(read_state(s), s.grid.layout.cell_size);
+    Momenta<D> sum = momenta_of(read_state(s), s.grid.layout.cell_size);
+    for (const mpm::RigidBody& body : s.rigid) {
+        const Eigen::Vector3d impulse = body.mass * body.velocity;
+        sum.mass += body.mass;
+        sum.linear += impulse;
+        sum.angular += body.center_in_box(s.grid.layout.cell_size).cross(impulse) + body.angular_momentum;
+    }
+    return sum;
 }
 
 template <int D>

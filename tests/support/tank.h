@@ -58,11 +58,12 @@ mpm::Start<D> tank_start(double cell_size, const mpm::Index<D>& cells, double de
     water.volume = share * static_cast<double>(water.points.size());
     water.mass = start.parameters.water.density * water.volume;
     water.surface = depth;
-    auto& block = start.bodies.emplace_back();
-    block.material = Material::rigid;
-    block.points = lattice<D>(cell_size, cells, per_axis, jitter, in_block);
-    block.volume = share * static_cast<double>(block.points.size());
-    block.mass = 920.0 * block.volume;
+    if (block_size > 0.0) {
+        mpm::RigidStart<D>& block = start.rigid.emplace_back();
+        block.size = Vector<D, double>::Constant(block_size);
+        block.center = corner + 0.5 * block.size;
+        block.contact = mpm::BodyContact::stick;
+    }
     return start;
 }
 

@@ -164,9 +164,9 @@ mpm::Start<3> make_mixed(long particles) {
                          depth * Vector<3, double>(1.8 + size, 0.3 + size, base + size)};
     add_water(start, across<3>(1.0, length, level), &iceberg);
     add_ice(start, across<3>(0.0, 1.0, 1.0));
-    add_body(
-        start, Material::rigid, rigid_density, [&](const auto& point) { return iceberg.holds(point); },
-        [](const auto&) { return Vector<3, double>(Vector<3, double>::Zero()); });
+    start.rigid.push_back({.size = iceberg.high - iceberg.low,
+                           .center = 0.5 * (iceberg.low + iceberg.high),
+                           .density = rigid_density});
     return start;
 }
 

@@ -71,8 +71,14 @@ TEST_CASE("crowded water gets less volume, until both agree") {
     CHECK(s.bodies[0].j[100] == doctest::Approx(0.02 * std::pow(1 - rate, 10)).epsilon(1e-6));
 }
 
-TEST_CASE("beside a solid or an unmirrored wall the room is not known, three cells further it is") {
+TEST_CASE("beside ice or an unmirrored wall the room is not known, three cells further it is") {
     auto start = test::tank_start<2>(0.05, {40, 30}, 1.0, 31.0, 0.3, {0.8, 0.5});
+    auto& ice = start.bodies.emplace_back();
+    ice.material = Material::ice;
+    ice.points = points_within<2>(make_rigid_body(start.rigid[0], 0.05), 0.05, 0.025);
+    ice.volume = 0.09;
+    ice.mass = 81.0;
+    start.rigid.clear();
     start.parameters.boundaries.walls[0][1] = WallRule::separate;
     const auto s = make_simulation<2, double>(start);
     const auto crowding = crowding_of(s);
@@ -90,6 +96,27 @@ TEST_CASE("beside a solid or an unmirrored wall the room is not known, three cel
     CHECK(known > 1000);
     CHECK(unknown > 100);
     CHECK(s.unknown_fill.size() == s.grid.nodes.size());
+}
+
+TEST_CASE_TEMPLATE("a rigid body fills its room, also at walls", Dimension, std::integral_constant<int, 2>,
+                   std::integral_constant<int, 3>) {
+    constexpr int D = Dimension::value;
+    Index<D> cells;
+    cells.fill(20);
+    for (const double x : {0.2, 0.35}) {  // in the corner of two or three walls, away from them
+        Vector<D, double> corner = Vector<D, double>::Constant(x - 0.2);
+        auto start = test::tank_start<D>(0.05, cells, 0.8, 31.0, 0.4, corner);
+        start.parameters.gravity = 1e-9;  // so that nothing is compressed
+        const auto s = make_simulation<D, double>(start);
+        const auto crowding = crowding_of(s);
+        const ThreadLimit serial(1);
+        double most = 0.0;
+        for_each_particle(s.grid, s.bodies[0], [&](std::size_t, const Index<D>& block, std::size_t p) {
+            const auto point = global_position(s.grid.layout, block, s.bodies[0], p);
+            if (point[D - 1] < 0.6) most = std::max(most, std::abs(crowding[p]));  // the surface aside
+        });
+        CHECK(most < 3e-3);  // a lattice of points is not quite a volume
+    }
 }
 
 TEST_CASE("the scheme of the paper and water without gravity do without it") {

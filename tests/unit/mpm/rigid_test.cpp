@@ -4,216 +4,164 @@
 
 #include <initializer_list>
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-
-#include "core/error.h"
-#include "core/random.h"
-#include "mpm/motion.h"
-#include "mpm/rigid_nodes.h"
-#include "support/tank.h"
 
 using namespace tidewater;
 using namespace tidewater::mpm;
 
 namespace {
 
-// A block alone in a weightless tank.
+constexpr double cell = 0.1;
+
 template <int D>
-Start<D> lone_block() {
-    Index<D> cells;
-    cells.fill(24);
-    auto start = test::tank_start<D>(0.1, cells, 0.0, 20.0, 0.8, Vector<D, double>::Constant(0.8));
-    start.parameters.gravity = 0.0;
+RigidStart<D> turned_box(double degrees) {
+    RigidStart<D> start;
+    start.size = Vector<D, double>::LinSpaced(1.1, 0.65);
+    start.center = Vector<D, double>::LinSpaced(1.0, 1.3);
+    start.angle = degrees * M_PI / 180.0;
     return start;
 }
 
-// Sets its particles on a rigid motion about its centre.
-void set_motion(const Vector<2, double>& velocity, double turning, Start<2>& start) {
-    auto& body = start.bodies[1];
-    Matrix<2, double> gradient;
-    gradient << 0.0, turning, -turning, 0.0;
-    for (const auto& point : body.points) {
-        body.velocity.push_back(velocity + gradient * (point - Vector<2, double>(1.2, 1.2)));
-        body.gradient.push_back(gradient);
-    }
+template <int D>
+Layout<D> layout_of(int cells, Mirror mirror = Mirror::none) {
+    Layout<D> layout;
+    layout.cell_size = cell;
+    layout.cells.fill(cells);
+    for (auto& axis : layout.mirrors) axis = {mirror, mirror};
+    return layout;
 }
 
-// A bar 1.2 m long and 0.2 m thick, turned up at its right end, in the middle of a dry tank of 3 × 3 m.
-Start<2> tilted_bar(double degrees) {
-    Start<2> start;
-    start.cell_size = 0.05;
-    start.cells = {60, 60};
-    auto& bar = start.bodies.emplace_back();
-    bar.material = Material::rigid;
-    const double spacing = 0.5 * start.cell_size;
-    const Eigen::Rotation2Dd turn(degrees * M_PI / 180.0);
-    for (int along = 0; along < 48; ++along) {
-        for (int up = 0; up < 8; ++up) {
-            const Vector<2, double> from_middle(spacing * (along - 23.5), spacing * (up - 3.5));
-            bar.points.push_back(Vector<2, double>(1.5, 1.5) + turn * from_middle);
+// Calls visit(node) for the nodes in the body's reach.
+template <int D, class Visit>
+void for_each_node(const NodeRange<D>& range, const Visit& visit) {
+    for (Index<D> node = range.first;;) {
+        visit(node);
+        std::size_t axis = D;
+        while (axis-- > 0) {
+            if (++node[axis] <= range.last[axis]) break;
+            node[axis] = range.first[axis];
         }
+        if (axis >= D) return;
     }
-    bar.volume = 1.2 * 0.2;
-    bar.mass = 920.0 * bar.volume;
-    return start;
-}
-
-// The least distance of a body's particles from the sides of the box, m; negative outside.
-template <int D, class Real>
-double distance_from_walls(const Simulation<D, Real>& s) {
-    const ThreadLimit serial(1);
-    double least = 1e9;
-    for (const auto& particles : s.bodies) {
-        for_each_particle(s.grid, particles, [&](std::size_t, const Index<D>& block, std::size_t p) {
-            const auto x = global_position(s.grid.layout, block, particles, p);
-            for (int axis = 0; axis < D; ++axis) {
-                const double size =
-                    s.grid.layout.cell_size * s.grid.layout.cells[static_cast<std::size_t>(axis)];
-                least = std::min({least, x[axis], size - x[axis]});
-            }
-        });
-    }
-    return least;
 }
 
 }  // namespace
 
-TEST_CASE("a body's mass and inertia are those of its particles, with APIC's share") {
-    const auto s = make_simulation<2, double>(lone_block<2>());
-    const RigidBody& body = s.rigid[0];
-    CHECK(body.mass == doctest::Approx(920.0 * 0.64));
-    CHECK(body.center_in_box(0.1).isApprox(Eigen::Vector3d(1.2, 0.0, 1.2)));
-    const double lattice =
-        0.64 / 6.0 - 0.05 * 0.05 / 6.0;  // (a² + b²)/12 less what points at cell centres miss
-    CHECK(body.inertia(1, 1) == doctest::Approx(body.mass * (lattice + 0.5 * 0.01)).epsilon(1e-12));
+TEST_CASE("a body's mass and inertia are those of a box") {
+    RigidStart<3> start;
+    start.size = {3.0, 2.0, 1.0};
+    start.center = {5.0, 5.0, 5.0};
+    start.angle = M_PI / 2.0;  // x and z change places
+    start.velocity = {1.0, 2.0, 3.0};
+    start.spin = 2.0;
+    const RigidBody body = make_rigid_body(start, cell);
+    CHECK(body.mass == doctest::Approx(6.0 * 920.0));
+    CHECK(body.center_in_box(cell).isApprox(Eigen::Vector3d(5.0, 5.0, 5.0)));
+    CHECK(body.inertia.isApprox(body.mass / 12.0 * Eigen::Vector3d(5.0, 10.0, 13.0)));
+    CHECK(turned_inertia(body).diagonal().isApprox(body.mass / 12.0 * Eigen::Vector3d(13.0, 10.0, 5.0)));
+    CHECK(kinetic_energy(body) == doctest::Approx(0.5 * body.mass * 14.0 + 0.5 * body.inertia[1] * 4.0));
+    // From x towards z: what points along x goes up.
+    CHECK(body.velocity_at({1.0, 0.0, 0.0}).isApprox(Eigen::Vector3d(1.0, 2.0, 5.0)));
+    // The corner that moves fastest: v + ω × r with r = (±½, ±1, ±3/2).
+    CHECK(greatest_speed(body) == doctest::Approx(std::sqrt(16.0 + 4.0 + 16.0)));
 }
 
-TEST_CASE("a free body keeps its velocity and its spin for a whole turn, and stays rigid") {
-    auto start = lone_block<2>();
-    set_motion({0.05, 0.0}, 2.0 * M_PI, start);
-    auto s = make_simulation<2, double>(start);
-    const int steps = 1000;
-    for (int n = 0; n <= steps; ++n) advance(s, 1.0 / steps);
-    const RigidBody& body = s.rigid[0];
-    CHECK(body.velocity.isApprox(Eigen::Vector3d(0.05, 0.0, 0.0), 1e-9));
-    CHECK(body.angular_velocity[1] == doctest::Approx(2.0 * M_PI).epsilon(1e-9));
-    CHECK(body.center_in_box(0.1).isApprox(Eigen::Vector3d(1.25, 0.0, 1.2), 1e-9));
-    CHECK(std::abs(body.rotation.w()) == doctest::Approx(1.0).epsilon(1e-9));  // back to where it began
-    CHECK(kinetic_energy(body) ==
-          doctest::Approx(0.5 * body.mass * 0.0025 + 0.5 * body.inertia(1, 1) * 4 * M_PI * M_PI));
+TEST_CASE("a body in 2D is a box one metre wide") {
+    RigidStart<2> start;
+    start.size = {0.25, 0.8};
+    start.center = {4.0, 1.0};
+    const RigidBody body = make_rigid_body(start, cell);
+    CHECK(body.mass == doctest::Approx(184.0));
+    CHECK(body.inertia[1] == doctest::Approx(184.0 / 12.0 * (0.25 * 0.25 + 0.8 * 0.8)));
 }
 
-TEST_CASE("a block dropped on the bottom comes to rest on it and stays there") {
-    const ThreadLimit serial(1);  // 90 000 small steps
-    for (const double c : {20.0, 200.0}) {
-        // The sound speed is of no water; it stands for the size of the steps.
-        auto s = make_simulation<2, float>(
-            test::tank_start<2>(0.1, {24, 24}, 0.0, c, 0.8, Vector<2, double>(0.8, 0.6)));
-        const double dt = 0.5 * 0.1 / (c + 5.0);
-        while (s.time < 2.0) advance(s, dt);
-        const double rest = s.rigid[0].center_in_box(s.grid.layout.cell_size)[2];
-        CHECK(rest == doctest::Approx(0.4).epsilon(0.06));  // within a quarter of a cell
-        while (s.time < 20.0) advance(s, dt);
-        CHECK(s.rigid[0].center_in_box(s.grid.layout.cell_size)[2] == doctest::Approx(rest).epsilon(1e-3));
-        CHECK(s.rigid[0].velocity.norm() < 0.05);
+TEST_CASE("a free body keeps its velocity and its spin for a whole turn") {
+    auto start = turned_box<3>(20.0);
+    start.velocity = {0.05, 0.0, 0.0};
+    start.spin = 2.0 * M_PI;
+    RigidBody body = make_rigid_body(start, cell);
+    const double energy = kinetic_energy(body);
+    for (int n = 0; n < 1000; ++n) move_rigid_body(1e-3, body);
+    CHECK(body.center_in_box(cell).isApprox(Eigen::Vector3d(1.05, 1.15, 1.3), 1e-9));
+    CHECK(std::abs(body.rotation.dot(make_rigid_body(start, cell).rotation)) ==
+          doctest::Approx(1.0).epsilon(1e-9));
+    CHECK(kinetic_energy(body) == doctest::Approx(energy).epsilon(1e-12));
+}
+
+TEST_CASE("a body that spins about its middle axis tumbles and keeps angular momentum and energy") {
+    auto start = turned_box<3>(0.0);
+    start.size = {0.6, 0.9, 1.2};
+    start.spin = 3.0;
+    RigidBody body = make_rigid_body(start, cell);
+    body.angular_momentum += Eigen::Vector3d(0.01, 0.0, 0.0) * body.mass;
+    body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
+    const Eigen::Vector3d momentum = body.angular_momentum;
+    const double energy = kinetic_energy(body);
+    double least = 1.0;
+    for (int n = 0; n < 200000; ++n) {
+        move_rigid_body(1e-4, body);
+        least = std::min(least, (body.rotation * Eigen::Vector3d::UnitY())[1]);
     }
+    CHECK(least < -0.9);  // it turned over
+    CHECK(body.angular_momentum == momentum);
+    CHECK(kinetic_energy(body) == doctest::Approx(energy).epsilon(0.01));
 }
 
-TEST_CASE("a tilted bar dropped on a dry bottom comes to rest") {
-    const ThreadLimit serial(1);
-    for (const double degrees : {2.0, 15.0, 30.0, 45.0}) {
-        CAPTURE(degrees);
-        auto s = make_simulation<2, float>(tilted_bar(degrees));
-        const RigidBody& bar = s.rigid[0];
-        try {
-            while (s.time < 2.0) advance(s, stable_time_step(s));
-            CHECK(bar.velocity.norm() < 0.3);
-            CHECK(distance_from_walls(s) > -0.25 * s.grid.layout.cell_size);
-            // What remains is what gravity gives in one step of 22 ms; shorter steps leave less.
-            while (s.time < 2.5) advance(s, 0.002);
-        } catch (const NumericsError& error) {
-            FAIL_CHECK(std::string(error.what()));
-            continue;
-        }
-        CHECK(bar.velocity.norm() + bar.radius * bar.angular_velocity.norm() < 0.05);
-        CHECK(distance_from_walls(s) > -1e-3);
-        CHECK(bar.center_in_box(s.grid.layout.cell_size)[2] == doctest::Approx(0.0875).epsilon(0.02));
-    }
-}
-
-TEST_CASE("a floating block keeps its draft and no water leaks into it") {
-    // Density 920: 0.46 of the block's 0.5 m under water. One second is 1600 steps.
-    auto start = test::tank_start<2>(0.05, {40, 30}, 1.0, 31.0, 0.5, Vector<2, double>(0.75, 0.54));
-    auto s = make_simulation<2, float>(start);
-    while (s.time < 1.0) advance(s, stable_time_step(s));
-    const RigidBody& body = s.rigid[0];
-    CHECK(body.center_in_box(0.05)[2] == doctest::Approx(0.79).epsilon(0.005));
-    CHECK(std::abs(body.velocity[2]) < 0.02);
-    int inside = 0;
-    const Eigen::Matrix3d back = body.rotation.toRotationMatrix().transpose();
-    const ThreadLimit serial(1);  // the count is not made for several threads
-    for_each_particle(s.grid, s.bodies[0], [&](std::size_t, const Index<2>& block, std::size_t p) {
-        const auto x = global_position(s.grid.layout, block, s.bodies[0], p);
-        const Eigen::Vector3d r = back * (Eigen::Vector3d(x[0], 0.0, x[1]) - body.center_in_box(0.05));
-        inside += r.cwiseAbs().maxCoeff() < 0.245;
-    });
-    CHECK(inside == 0);
-}
-
-TEST_CASE("a block that was dropped floats at its draft when it has come to rest") {
-    const ThreadLimit serial(1);
-    // From 11 cm above its draft; it raises the level of the 4 m tank by 1.4 cm. 10 cells across.
-    auto start = test::tank_start<2>(0.05, {80, 30}, 1.0, 62.0, 0.5, Vector<2, double>(1.75, 0.65));
-    auto s = make_simulation<2, float>(start);
-    double sum = 0.0;
-    int samples = 0;
-    while (s.time < 5.0) {
-        advance(s, stable_time_step(s));
-        if (s.time > 2.0) {
-            sum += s.rigid[0].center_in_box(s.grid.layout.cell_size)[2];
-            ++samples;
-        }
-    }
-    CHECK(std::abs(sum / samples - (1.014 - 0.46 + 0.25)) < 0.5 * 0.05);  // half a cell; 0.42 too high
-}
-
-TEST_CASE_TEMPLATE("moving nodes as one keeps their momentum and makes them rigid", Dimension,
+TEST_CASE_TEMPLATE("a body's shares of the nodes add up to its volume", Dimension,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     constexpr int D = Dimension::value;
-    auto s = make_simulation<D, double>(lone_block<D>());
-    const auto& particles = s.bodies[0];
-    // Masses and velocities without order on all nodes.
-    std::uint64_t n = 0;
-    Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = before;
-    const auto total = [&] {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const auto& node : s.grid.nodes) {
-            for (int axis = 0; axis < D; ++axis) sum[axis] += node[mass_lane] * node[axis];
-        }
-        return sum;
-    };
-    for (auto& node : s.grid.nodes) {
-        for (int lane = 0; lane < 4; ++lane)
-            node[lane] = random_uniform(3, static_cast<std::uint64_t>(lane), n);
-        ++n;
+    for (const double degrees : {0.0, 10.0, 35.0, 45.0}) {
+        CAPTURE(degrees);
+        const auto start = turned_box<D>(degrees);
+        const RigidBody body = make_rigid_body(start, cell);
+        const auto layout = layout_of<D>(40);
+        double sum = 0.0, most = 0.0;
+        for_each_node<D>(reach_of(layout, body), [&](const Index<D>& node) {
+            const double share = share_of_node(layout, body, node).value;
+            sum += share * std::pow(cell, D);
+            most = std::max(most, share);
+        });
+        CHECK(sum == doctest::Approx(start.size.prod()).epsilon(degrees == 0.0 ? 1e-12 : 2e-3));
+        CHECK(most == doctest::Approx(1.0).epsilon(1e-12));
     }
-    before = total();
-    move_nodes_as_one(particles, s.rigid[0], s.grid);
-    after = total();
-    CHECK((after - before).norm() < 1e-12 * before.norm());
-    // Particles whose nodes are all the body's, a cell and a half inside, get the same antisymmetric
-    // gradient.
-    const ThreadLimit serial(1);
-    Matrix<D, double> first = Matrix<D, double>::Zero();
-    for_each_motion(s.grid, particles,
-                    [&](std::size_t, const Index<D>&, std::size_t p, const Vector<D, double>&,
-                        const Matrix<D, double>& gradient) {
-                        if (particles.offset[p].cwiseAbs().maxCoeff() > 0.25) return;
-                        if (first.isZero()) first = gradient;
-                        CHECK((gradient - first).norm() < 1e-12);
-                        CHECK((gradient + gradient.transpose()).norm() < 1e-12);
-                    });
-    CHECK(first.norm() > 1e-6);
+}
+
+TEST_CASE("a share's slope is its derivative and points inward") {
+    const RigidBody body = make_rigid_body(turned_box<3>(25.0), cell);
+    for (const Eigen::Vector3d& point : body.surface) {
+        const Eigen::Vector3d arm = body.rotation * (1.05 * point);
+        const NodeShare here = share_of<3>(body, cell, arm);
+        CHECK(here.slope.dot(arm) < 0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Vector3d step = 1e-6 * Eigen::Vector3d::Unit(axis);
+            const double change =
+                share_of<3>(body, cell, arm + step).value - share_of<3>(body, cell, arm - step).value;
+            CHECK(here.slope[axis] == doctest::Approx(change / 2e-6).epsilon(1e-5));
+        }
+    }
+}
+
+TEST_CASE("at a mirror a body and its image are one: shares are 1 on the plane and even about it") {
+    RigidStart<2> start;
+    start.size = {0.5, 0.5};
+    start.center = {0.25, 1.0};
+    const RigidBody body = make_rigid_body(start, cell);
+    const auto layout = layout_of<2>(20, Mirror::slip);
+    CHECK(share_of_node<2>(layout, body, {0, 10}).value == doctest::Approx(1.0));
+    CHECK(share_of_node<2>(layout, body, {0, 10}).slope.norm() < 1e-12);
+    CHECK(share_of_node<2>(layout, body, {1, 10}).value == doctest::Approx(1.0));
+    CHECK(share_of_node<2>(layout, body, {5, 10}).value == doctest::Approx(0.5));
+    for (int n = 1; n <= 3; ++n) {
+        CHECK(share_of_node<2>(layout, body, {n, 10}).value ==
+              doctest::Approx(share_of_node<2>(layout, body, {-n, 10}).value));
+    }
+}
+
+TEST_CASE("points within a body fill it evenly") {
+    const RigidBody body = make_rigid_body(turned_box<2>(30.0), cell);
+    const auto points = points_within<2>(body, cell, 0.05);
+    CHECK(points.size() == 22 * 13);
+    Vector<2, double> middle = Vector<2, double>::Zero();
+    for (const auto& point : points) middle += point / static_cast<double>(points.size());
+    CHECK(middle.isApprox(Vector<2, double>(1.0, 1.3)));
 }

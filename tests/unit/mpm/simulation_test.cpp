@@ -165,7 +165,6 @@ TEST_CASE_TEMPLATE("no particle's motion, its affine part counted, exceeds that 
     }
     const auto s = make_simulation<D, typename Engine::Real>(start);
     for (const auto& particles : s.bodies) {
-        if (particles.material == Material::rigid) continue;
         const double motion = greatest_motion(s.grid, particles);
         CHECK(motion > 0.1);
         CHECK(motion <= s.speeds.particle);

@@ -43,26 +43,23 @@ TEST_CASE_TEMPLATE("particles have the columns of their material and no others",
             CHECK(has_strain(particles) == ice);
             CHECK(particles.alpha.size() == (ice && fracture ? particles.size() : 0));
             CHECK(particles.j.size() == (particles.material == Material::water ? particles.size() : 0));
-            CHECK(particles.offset.size() == (particles.material == Material::rigid ? particles.size() : 0));
             for (const auto& column : particles.position) CHECK(column.size() == particles.size());
         }
     }
 }
 
 TEST_CASE("a scene without ice has no ice columns") {
-    for (const Scene scene : {Scene::water, Scene::rigid}) {
-        const auto s = simulation_of<3>(scene);
-        for (const auto& particles : s.bodies) {
-            CHECK_FALSE(has_strain(particles));
-            CHECK(particles.alpha.empty());
-        }
+    const auto s = simulation_of<3>(Scene::water);
+    for (const auto& particles : s.bodies) {
+        CHECK_FALSE(has_strain(particles));
+        CHECK(particles.alpha.empty());
     }
 }
 
 TEST_CASE_TEMPLATE("a start has the momenta that were asked for and affine motion at its points", Dimension,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     constexpr int D = Dimension::value;
-    for (const Scene scene : {Scene::water, Scene::elastic_ice, Scene::rigid}) {
+    for (const Scene scene : {Scene::water, Scene::elastic_ice}) {
         const auto start = test::flying_start<D>(scene, D == 2 ? 40 : 16, 4.0);
         const auto s = make_simulation<D, double>(start);
         CHECK(s.time == 0.0);
