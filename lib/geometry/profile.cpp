@@ -29,6 +29,18 @@ double positive_area(double width, double a, double b) {
     return 0.5 * width * high * high / (high - std::min(a, b));
 }
 
+// Height of the box's lower side at x, within the box's reach.
+double lower_side(const std::array<Point2, 4>& corners, double x) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+        const Point2 &a = corners[n], &b = corners[(n + 1) % corners.size()];
+        if (x < std::min(a[0], b[0]) || x > std::max(a[0], b[0])) continue;
+        const double share = a[0] == b[0] ? 0.0 : (x - a[0]) / (b[0] - a[0]);
+        lowest = std::min({lowest, a[1] + share * (b[1] - a[1]), a[0] == b[0] ? b[1] : lowest});
+    }
+    return lowest;
+}
+
 }  // namespace
 
 double Profile::height(double at) const {
@@ -72,6 +84,19 @@ double area_below(const Profile& profile, double length, double top) {
         area += positive_area(width, a, b) - positive_area(width, a - top, b - top);
     }
     return area;
+}
+
+// Both are straight between the places below, so the difference is greatest at one of them.
+double rise_into(const Profile& profile, const Box& box) {
+    const auto corners = geometry::corners(box);
+    double rise = -std::numeric_limits<double>::infinity();
+    const auto look_at = [&](double x) { rise = std::max(rise, profile.height(x) - lower_side(corners, x)); };
+    for (const Point2& corner : corners) look_at(corner[0]);
+    const double reach = geometry::reach(box)[0];
+    for (const double x : profile.x) {
+        if (std::abs(x - box.center[0]) < reach) look_at(x);
+    }
+    return rise;
 }
 
 }  // namespace tidewater::geometry

@@ -22,4 +22,8 @@ double signed_distance(const Profile& profile, const Point& point);
 // Area of the ground between x = 0 and x = length that lies above z = 0 and below z = top, m². Exact.
 double area_below(const Profile& profile, double length, double top);
 
+// The most by which the ground rises above the lower side of a box, m; at most 0 if it does not reach into
+// it. Exact.
+double rise_into(const Profile& profile, const Box& box);
+
 }  // namespace tidewater::geometry

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "scene/reading.h"
 #include "scene/text.h"
@@ -11,15 +10,9 @@ namespace tidewater::scene {
 namespace {
 
 constexpr double cells_per_length = 4.0;  // fewer do not resolve a body or a layer of water at all
-constexpr double tolerance = 1e-6;        // of a cell
 constexpr double most_per_axis =
     1 << 20;  // particles along an axis of the tank; more would overflow the grid's numbers
 constexpr double most_particles = 4e9;
-
-const char* axis_name(std::size_t axis, int dimension) {
-    if (axis == 0) return "x";
-    return dimension == 3 && axis == 1 ? "y" : "z";
-}
 
 void check_whole_cells(Reading& reading) {
     if (!reading.usable({"dimension", "domain.size", "domain.cell_size"})) return;
@@ -55,7 +48,9 @@ double particle_estimate(const Scene& scene) {
         water.back() = scene.water.depth;
         count += particles_in(water, particle_spacing(scene));
     }
-    if (scene.has("rigid")) count += particles_in(scene.block.size, particle_spacing(scene));
+    for (const Scene::Block& block : scene.blocks) {
+        if (scene.has("rigid")) count += particles_in(block.size, particle_spacing(scene));
+    }
     if (scene.has("ice")) count += particles_in(scene.ice.size, particle_spacing(scene));
     return count;
 }
@@ -76,15 +71,16 @@ void check_count(Reading& reading) {
 
 // Something that the grid must resolve.
 struct Thing {
-    const char* name;
+    std::string name;
     double thickness;
-    const char* key;
+    std::string key;
 };
 
 std::vector<Thing> things(const Reading& reading) {
     const Scene& scene = reading.scene;
     std::vector<Thing> all;
-    const auto add = [&](const char* name, const std::vector<double>& lengths, const char* key) {
+    const auto add = [&](const std::string& name, const std::vector<double>& lengths,
+                         const std::string& key) {
         if (!lengths.empty()) all.push_back({name, *std::ranges::min_element(lengths), key});
     };
     if (reading.usable({"domain.size"})) add("the tank", scene.domain.size, "domain.size");
@@ -94,8 +90,10 @@ std::vector<Thing> things(const Reading& reading) {
     if (scene.has("water") && reading.usable({"water.length"}) && scene.water.length > 0.0) {
         add("the water", {scene.water.length}, "water.length");
     }
-    if (scene.has("rigid") && reading.usable({"block.size"}))
-        add("the block", scene.block.size, "block.size");
+    for (std::size_t n = 0; scene.has("rigid") && n < scene.blocks.size(); ++n) {
+        const std::string key = block_key(scene, n, "size");
+        if (reading.usable({key})) add(block_name(scene, n), scene.blocks[n].size, key);
+    }
     if (scene.has("ice") && reading.usable({"ice.size"})) add("the ice", scene.ice.size, "ice.size");
     return all;
 }
@@ -187,39 +185,6 @@ void check_wave(Reading& reading) {
         reading.report("domain.gravity", "0 m/s² makes no waves; raise it or take \"wave\" out of effects");
 }
 
-// Half the extent along each axis of the box around the turned block.
-std::vector<double> block_reach(const Scene& scene) {
-    std::vector<double> reach = scene.block.size;
-    const double angle = scene.block.angle * std::numbers::pi / 180.0;
-    const double c = std::abs(std::cos(angle));
-    const double s = std::abs(std::sin(angle));
-    reach.front() = c * scene.block.size.front() + s * scene.block.size.back();
-    reach.back() = s * scene.block.size.front() + c * scene.block.size.back();
-    for (double& length : reach) length *= 0.5;
-    return reach;
-}
-
-void check_block_inside(Reading& reading) {
-    const Scene& scene = reading.scene;
-    if (!reading.usable({"dimension", "effects", "domain.size", "domain.cell_size", "block.size",
-                         "block.center", "block.angle"}) ||
-        !scene.has("rigid")) {
-        return;
-    }
-    const auto reach = block_reach(scene);
-    for (std::size_t axis = 0; axis < reach.size(); ++axis) {
-        const double low = scene.block.center[axis] - reach[axis];
-        const double high = scene.block.center[axis] + reach[axis];
-        const double slack = tolerance * scene.domain.cell_size;
-        if (low >= -slack && high <= scene.domain.size[axis] + slack) continue;
-        reading.report("block.center", std::string("the block lies outside the tank: along ") +
-                                           axis_name(axis, scene.dimension) + " it reaches from " +
-                                           metres(short_number(low)) + " to " + metres(short_number(high)) +
-                                           ", the tank from 0 m to " + metres(scene.domain.size[axis]) +
-                                           "; move block.center or shrink block.size");
-    }
-}
-
 // Names that stand alone make no sense: each needs what it acts on.
 void check_companions(Reading& reading) {
     if (!reading.usable({"effects"})) return;
@@ -230,12 +195,11 @@ void check_companions(Reading& reading) {
                  {"wave", "water", "there is nothing that could make a wave"},
                  {"sponge", "water", "there are no waves to take"},
                  {"piston", "water", "there is nothing to make waves in"}};
-    for (const char* ground : {"shelf", "bed", "push", "piston", "ice"}) {
+    for (const char* ground : {"shelf", "push", "piston"}) {
         if (!reading.scene.has("rigid") || !reading.scene.has(ground)) continue;
-        reading.report(
-            "effects",
-            std::string("names \"rigid\" and \"") + ground +
-                "\": a rigid block knows only water and the tank's walls so far; remove one of them");
+        reading.report("effects", std::string("names \"rigid\" and \"") + ground +
+                                      "\": a rigid block knows only water, ice, a bed and the tank's walls "
+                                      "so far; remove one of them");
     }
     if (reading.scene.simulate.transfer == mpm::Transfer::restored && reading.scene.has("rigid")) {
         reading.report("simulate.transfer",
@@ -405,18 +369,12 @@ void check_times(Reading& reading) {
 }
 
 // The fastest water that the scene makes likely, by estimates: long waves, √(g d); water let loose as by a
-// broken dam, 2 √(g d) (Ritter 1892); the fall of the block's lowest corner to the still level, √(2 g f); and
-// the fall by the block's own height, as it sinks or topples, √(2 g h).
+// broken dam, 2 √(g d) (Ritter 1892); the blocks.
 double fastest_flow(const Scene& scene) {
     const double depth = scene.water.depth + scene.wave.height;
     const bool dam = scene.water.length > 0.0 && scene.water.length < scene.domain.size.front();
-    double head = dam ? 4.0 * depth : depth;  // speed² / g
-    if (scene.has("rigid")) {
-        const double half_height = block_reach(scene).back();
-        const double fall = scene.block.center.back() - half_height - depth;
-        head = std::max({head, 2.0 * fall, 4.0 * half_height});
-    }
-    return std::sqrt(scene.domain.gravity * head);
+    const double wave = std::sqrt(scene.domain.gravity * (dam ? 4.0 * depth : depth));
+    return scene.has("rigid") ? std::max(wave, fastest_block(scene)) : wave;
 }
 
 std::string sound_speed_warning(const Scene& scene) {
@@ -503,13 +461,18 @@ mpm::IceModel ice_model(const Scene& scene) {
     return ice;
 }
 
+const char* axis_name(std::size_t axis, int dimension) {
+    if (axis == 0) return "x";
+    return dimension == 3 && axis == 1 ? "y" : "z";
+}
+
 void check_scene(Reading& reading) {
     check_whole_cells(reading);
     check_count(reading);
     check_resolution(reading);
     check_water(reading);
     check_wave(reading);
-    check_block_inside(reading);
+    check_blocks(reading);
     check_companions(reading);
     check_ice(reading);
     check_shelf(reading);
@@ -527,6 +490,9 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
     std::vector<std::string> warnings;
     if (scene.has("water")) warnings = {sound_speed_warning(scene), depth_warning(scene)};
     if (scene.has("fracture")) warnings.push_back(softening_warning(scene));
+    if (scene.has("rigid")) {
+        for (std::string& warning : block_warnings(scene)) warnings.push_back(std::move(warning));
+    }
     if (scene.has("push")) warnings.push_back(push_warning(scene));
     warnings.push_back(cfl_warning(scene));
     warnings.push_back(picture_warning(scene));

@@ -168,17 +168,18 @@ constexpr std::array keys{
 
     Key{.name = "block.size",
         .unit = "m",
-        .member = member<&S::block, &S::Block::size>(),
+        .member = block_member<&S::Block::size>(),
         .range = positive,
         .example = "[0.5, 0.5]",
         .effect = "rigid",
         .required = true,
         .per_dimension = true,
         .stages = by_geometry | by_simulate,
-        .help = "edge lengths of the rigid block"},
+        .help = "edge lengths of the rigid block; [[block]] once for each of several blocks, and --set "
+                "block.2.size for the second, block.size for all"},
     Key{.name = "block.center",
         .unit = "m",
-        .member = member<&S::block, &S::Block::center>(),
+        .member = block_member<&S::Block::center>(),
         .example = "[0.25, 0.75]",
         .effect = "rigid",
         .required = true,
@@ -187,18 +188,44 @@ constexpr std::array keys{
         .help = "at the start"},
     Key{.name = "block.angle",
         .unit = "degrees",
-        .member = member<&S::block, &S::Block::angle>(),
+        .member = block_member<&S::Block::angle>(),
         .range = {.least = -360.0, .most = 360.0},
         .effect = "rigid",
         .stages = by_geometry | by_simulate,
         .help = "turned in the x–z plane from x towards z"},
     Key{.name = "block.density",
         .unit = "kg/m³",
-        .member = member<&S::block, &S::Block::density>(),
+        .member = block_member<&S::Block::density>(),
         .range = positive,
         .effect = "rigid",
         .stages = by_simulate,
         .help = "ice: 900 to 920"},
+    Key{.name = "block.contact",
+        .member = block_member<&S::Block::contact>(),
+        .effect = "rigid",
+        .stages = by_simulate,
+        .help = "how water meets it: it slides along the block and may part from it, or moves as its "
+                "surface does"},
+    Key{.name = "block.friction",
+        .member = block_member<&S::Block::friction>(),
+        .range = not_negative,
+        .effect = "rigid",
+        .stages = by_simulate,
+        .help = "Coulomb's coefficient of contact = \"slip\""},
+    Key{.name = "block.velocity",
+        .unit = "m/s",
+        .member = block_member<&S::Block::velocity>(),
+        .example = "[1, 0]",
+        .effect = "rigid",
+        .per_dimension = true,
+        .stages = by_simulate,
+        .help = "at the start; empty: at rest"},
+    Key{.name = "block.spin",
+        .unit = "degrees/s",
+        .member = block_member<&S::Block::spin>(),
+        .effect = "rigid",
+        .stages = by_simulate,
+        .help = "at the start, from x towards z about its centre"},
 
     Key{.name = "ice.size",
         .unit = "m",
@@ -569,6 +596,15 @@ std::string_view Key::section() const {
 }
 
 std::string_view Key::last_name() const { return name.substr(name.rfind('.') + 1); }
+
+bool Key::repeated() const { return section() == "block"; }
+
+std::size_t Key::count(const Scene& scene) const { return repeated() ? scene.blocks.size() : 1; }
+
+std::string Key::name_of(std::size_t item, const Scene& scene) const {
+    if (count(scene) == 1) return std::string(name);
+    return std::string(section()) + "." + std::to_string(item + 1) + "." + std::string(last_name());
+}
 
 bool Key::applies(const Scene& scene) const {
     return (effect.empty() || scene.has(effect)) && (!only_3d || scene.dimension == 3);

@@ -28,27 +28,37 @@ struct Range {
     std::string text(std::string_view unit) const;
 };
 
-// How to reach one key's member of a Scene.
+// How to reach one key's member of a Scene. `item` counts the sections of a repeated key, from 0; other keys
+// ignore it.
 template <class T>
 struct Member {
-    const T& (*read)(const Scene&);
-    T& (*write)(Scene&);
+    const T& (*read)(const Scene&, std::size_t item);
+    T& (*write)(Scene&, std::size_t item);
 };
 
 // member<&Scene::domain, &Scene::Domain::size>() reaches scene.domain.size.
 template <auto... path>
 constexpr auto member() {
     using T = std::remove_cvref_t<decltype((std::declval<Scene&>().*....*path))>;
-    return Member<T>{[](const Scene& scene) -> const T& { return (scene.*....*path); },
-                     [](Scene& scene) -> T& { return (scene.*....*path); }};
+    return Member<T>{[](const Scene& scene, std::size_t) -> const T& { return (scene.*....*path); },
+                     [](Scene& scene, std::size_t) -> T& { return (scene.*....*path); }};
+}
+
+// block_member<&Scene::Block::size>() reaches scene.blocks[item].size.
+template <auto last>
+constexpr auto block_member() {
+    using T = std::remove_cvref_t<decltype(std::declval<Scene::Block&>().*last)>;
+    return Member<T>{
+        [](const Scene& scene, std::size_t item) -> const T& { return scene.blocks[item].*last; },
+        [](Scene& scene, std::size_t item) -> T& { return scene.blocks[item].*last; }};
 }
 
 using AnyMember = std::variant<Member<double>, Member<int>, Member<std::uint64_t>, Member<std::string>,
                                Member<std::vector<double>>, Member<Points>, Member<std::vector<std::string>>,
                                Member<mpm::WallRule>, Member<mpm::PistonMotion>, Member<mpm::Moduli>,
                                Member<mpm::ShearReturn>, Member<mpm::WaterScheme>, Member<mpm::WaterTension>,
-                               Member<mpm::Transfer>, Member<Softening>, Member<HardeningLimit>,
-                               Member<Precision>, Member<analysis::WaveKind>>;
+                               Member<mpm::Transfer>, Member<mpm::BodyContact>, Member<Softening>,
+                               Member<HardeningLimit>, Member<Precision>, Member<analysis::WaveKind>>;
 
 // Stages that read a key, as bits.
 constexpr unsigned by(Stage stage) { return 1u << static_cast<unsigned>(stage); }
@@ -76,6 +86,12 @@ struct Key {
     std::string_view last_name() const;
     // False for a key of an effect that the scene does not name, and for a 3D key in 2D.
     bool applies(const Scene& scene) const;
+    // Whether its section may stand in the file several times, as [[block]].
+    bool repeated() const;
+    // How many members it has in the scene.
+    std::size_t count(const Scene& scene) const;
+    // "block.size"; of several "block.2.size" for item 1.
+    std::string name_of(std::size_t item, const Scene& scene) const;
 };
 
 // In the order in which they are printed.
@@ -91,10 +107,10 @@ std::span<const std::string> known_effects();
 std::string type_text(const Key& key);
 
 // The key's value in the scene, as TOML.
-std::string value_text(const Key& key, const Scene& scene);
+std::string value_text(const Key& key, const Scene& scene, std::size_t item = 0);
 
 // Sets the key's member. Returns what is wrong with the value and what is right, or an empty text; then the
 // scene is as before.
-std::string set_value(const Key& key, const Value& value, Scene& scene);
+std::string set_value(const Key& key, const Value& value, Scene& scene, std::size_t item = 0);
 
 }  // namespace tidewater::scene

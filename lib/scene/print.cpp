@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/hash.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
@@ -20,8 +22,31 @@ std::string stage_names(unsigned stages) {
     return names;
 }
 
-std::string plain_line(const Key& key, const Scene& scene) {
-    return std::string(key.name) + " = " + value_text(key, scene) + "\n";
+std::string plain_lines(const Key& key, const Scene& scene) {
+    std::string text;
+    for (std::size_t item = 0; item < key.count(scene); ++item)
+        text += key.name_of(item, scene) + " = " + value_text(key, scene, item) + "\n";
+    return text;
+}
+
+// "[water]", "[[block]]"; nothing for the keys without a section.
+std::string header(const Key& key, const Scene& scene) {
+    if (key.section().empty()) return {};
+    const std::string name = "[" + std::string(key.section()) + "]";
+    return "\n" + (key.count(scene) > 1 ? "[" + name + "]" : name) + "\n";
+}
+
+// The keys of one section, with its header if any applies.
+std::string section_text(std::span<const Key> section, const Scene& scene, std::size_t item) {
+    constexpr std::size_t comment_column = 40;
+    std::string text;
+    for (const Key& key : section) {
+        if (!key.applies(scene)) continue;
+        std::string line = std::string(key.last_name()) + " = " + value_text(key, scene, item);
+        line.resize(std::max(line.size(), comment_column), ' ');
+        text += line + "  # " + comment(key) + "\n";
+    }
+    return text.empty() ? text : header(section.front(), scene) + text;
 }
 
 // The keys of `stages` that apply to the scene and change results, one "section.key = value" a line.
@@ -29,7 +54,7 @@ std::string plain_text(const Scene& scene, unsigned stages) {
     std::string text;
     for (const Key& key : all_keys()) {
         if ((key.stages & stages) != 0 && key.changes_results && key.applies(scene))
-            text += plain_line(key, scene);
+            text += plain_lines(key, scene);
     }
     return text;
 }
@@ -48,18 +73,14 @@ std::string reference_entry(const Key& key) {
 }  // namespace
 
 std::string resolved_text(const Scene& scene) {
-    constexpr std::size_t comment_column = 40;
     std::string text;
-    std::string_view section;
-    for (const Key& key : all_keys()) {
-        if (!key.applies(scene)) continue;
-        if (key.section() != section) {
-            section = key.section();
-            text += "\n[" + std::string(section) + "]\n";
-        }
-        std::string line = std::string(key.last_name()) + " = " + value_text(key, scene);
-        line.resize(std::max(line.size(), comment_column), ' ');
-        text += line + "  # " + comment(key) + "\n";
+    const std::span<const Key> keys = all_keys();
+    for (auto first = keys.begin(); first != keys.end();) {
+        const auto last = std::find_if(first, keys.end(),
+                                       [&](const Key& key) { return key.section() != first->section(); });
+        for (std::size_t item = 0; item < first->count(scene); ++item)
+            text += section_text({first, last}, scene, item);
+        first = last;
     }
     return text;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace tidewater::scene {
 namespace {
@@ -25,6 +26,25 @@ analysis::InitialWave initial_wave(const Scene& scene) {
             .center = scene.wave.center,
             .depth = scene.water.depth,
             .gravity = scene.domain.gravity};
+}
+
+geometry::Box make_box(const Scene& scene, const std::vector<double>& center, const std::vector<double>& size,
+                       double degrees) {
+    const bool flat = scene.dimension == 2;
+    return {.center = {center[0], flat ? 0.0 : center[1], center.back()},
+            .half_size = {0.5 * size[0], flat ? plane_half_width * scene.domain.cell_size : 0.5 * size[1],
+                          0.5 * size.back()},
+            .angle = degrees * std::numbers::pi / 180.0};
+}
+
+geometry::Box block_box(const Scene& scene, const Scene::Block& block) {
+    return make_box(scene, block.center, block.size, block.angle);
+}
+
+geometry::Box ice_box(const Scene& scene) {
+    std::vector<double> center = scene.ice.corner;
+    for (std::size_t axis = 0; axis < center.size(); ++axis) center[axis] += 0.5 * scene.ice.size[axis];
+    return make_box(scene, center, scene.ice.size);
 }
 
 bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }

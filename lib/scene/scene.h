@@ -14,9 +14,11 @@
 #include <vector>
 
 #include "analysis/wave_theory.h"
+#include "geometry/box.h"
 #include "geometry/profile.h"
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
+#include "mpm/rigid.h"
 #include "mpm/simulation.h"
 #include "mpm/water.h"
 #include "scene/toml_document.h"
@@ -65,7 +67,12 @@ struct Scene {
         std::vector<double> center;  // m, at t = 0
         double angle = 0.0;          // degrees, turned in the x–z plane from x towards z
         double density = 920.0;      // kg/m³
-    } block;
+        mpm::BodyContact contact = mpm::BodyContact::slip;
+        double friction = 0.0;         // Coulomb's coefficient, of contact = slip
+        std::vector<double> velocity;  // m/s, at t = 0
+        double spin = 0.0;             // degrees/s, at t = 0; from x towards z
+    };
+    std::vector<Block> blocks = std::vector<Block>(1);  // [block] or [[block]]; one at least
 
     struct Ice {                     // effect "ice"
         std::vector<double> size;    // m
@@ -170,6 +177,17 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
 
 // The ice of a scene as the engine takes it: with ξ from the crack band where the scene asks for it.
 mpm::IceModel ice_model(const Scene& scene);
+
+// In 2D bodies reach four cells to each side of y = 0, so that a level set's band in that plane knows of no
+// end in y.
+inline constexpr double plane_half_width = 4.0;
+
+// The box with this centre and these edges, vectors of the scene's dimension in m; turned by `degrees` from x
+// towards z.
+geometry::Box make_box(const Scene& scene, const std::vector<double>& center, const std::vector<double>& size,
+                       double degrees = 0.0);
+geometry::Box block_box(const Scene& scene, const Scene::Block& block);
+geometry::Box ice_box(const Scene& scene);
 
 // The ground of a scene with the effect "bed".
 geometry::Profile bed_profile(const Scene& scene);

@@ -65,13 +65,17 @@ Value node_value(const toml::node& node) {
     return Foreign{"a date or time"};
 }
 
-void flatten(const toml::table& table, const std::string& section, std::vector<Entry>& entries) {
+void flatten(const toml::table& table, const std::string& section, Document& document) {
     for (const auto& [name, node] : table) {
         const std::string key = section + std::string(name.str());
         if (const auto* inner = node.as_table()) {
-            flatten(*inner, key + ".", entries);
+            flatten(*inner, key + ".", document);
+        } else if (node.is_array_of_tables()) {
+            std::size_t& count = document.sections[key];
+            for (const toml::node& item : *node.as_array())
+                flatten(*item.as_table(), key + "." + std::to_string(++count) + ".", document);
         } else {
-            entries.push_back({key, node_value(node), static_cast<int>(name.source().begin.line)});
+            document.entries.push_back({key, node_value(node), static_cast<int>(name.source().begin.line)});
         }
     }
 }
@@ -93,11 +97,12 @@ std::string Repair::text() const {
     return joined;
 }
 
-// "water." for a line below [water].
+// "water." for a line below [water] or [[water]].
 std::string Repair::section_above(int number) const {
     for (int i = number - 1; i > 0; --i) {
         const std::string above = trimmed(lines[static_cast<std::size_t>(i - 1)]);
-        if (above.starts_with('[')) return trimmed(above.substr(1, above.find(']') - 1)) + ".";
+        const auto name = above.find_first_not_of('[');
+        if (name != 0 && name != above.npos) return trimmed(above.substr(name, above.find(']') - name)) + ".";
     }
     return {};
 }
@@ -128,7 +133,10 @@ std::string plain_reason(const toml::parse_error& error) {
     const std::string why(error.description());
     const auto table = why.find("cannot redefine existing table ");
     if (table == why.npos) return "not TOML: " + why;
-    return "duplicate section " + why.substr(why.find('\'')) + "; move its keys to the first one";
+    const std::string name = why.substr(why.find('\''));
+    if (name == "'block'")
+        return "duplicate section " + name + "; write [[block]] above each of several blocks";
+    return "duplicate section " + name + "; move its keys to the first one";
 }
 
 std::vector<std::string> split_lines(std::string_view text) {
@@ -164,7 +172,7 @@ Document parse_toml(std::string_view text) {
     Document document;
     while (true) {
         try {
-            flatten(toml::parse(repaired.text()), "", document.entries);
+            flatten(toml::parse(repaired.text()), "", document);
             break;
         } catch (const toml::parse_error& error) {
             if (repair(error, repaired)) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -25,7 +26,7 @@ using Value = std::variant<std::int64_t, double, std::string, std::vector<double
 std::string describe(const Value& value);
 
 struct Entry {
-    std::string key;  // with its sections: "domain.cell_size"
+    std::string key;  // with its sections: "domain.cell_size"; in the second of [[block]] "block.2.angle"
     Value value;
     int line = 0;  // from 1
 };
@@ -37,6 +38,7 @@ struct SyntaxProblem {
 
 struct Document {
     std::vector<Entry> entries;  // in the order of the text; empty if a problem kept the text from being read
+    std::map<std::string, std::size_t> sections;  // how often each [[name]] stands there
     std::vector<SyntaxProblem> problems;
     bool readable = true;
 };

@@ -27,6 +27,8 @@ constexpr std::array enum_names<mpm::WaterTension>{"separate", "paper"};
 template <>
 constexpr std::array enum_names<mpm::Transfer>{"apic", "restored"};
 template <>
+constexpr std::array enum_names<mpm::BodyContact>{"stick", "slip"};
+template <>
 constexpr std::array enum_names<Softening>{"paper", "crack_band"};
 template <>
 constexpr std::array enum_names<HardeningLimit>{"start", "none"};
@@ -184,19 +186,19 @@ std::string type_text(const Key& key) {
     return key.unit.empty() ? type : type + " in " + std::string(key.unit);
 }
 
-std::string value_text(const Key& key, const Scene& scene) {
-    return std::visit([&](const auto& member) { return Print{}(member.read(scene)); }, key.member);
+std::string value_text(const Key& key, const Scene& scene, std::size_t item) {
+    return std::visit([&](const auto& member) { return Print{}(member.read(scene, item)); }, key.member);
 }
 
-std::string set_value(const Key& key, const Value& value, Scene& scene) {
+std::string set_value(const Key& key, const Value& value, Scene& scene, std::size_t item) {
     return std::visit(
         [&](const auto& member) -> std::string {
-            auto converted = member.read(scene);
+            auto converted = member.read(scene, item);
             if (!convert(value, converted)) {
                 return "needs " + type_text(key) + ", e.g. " + example_text(key) + "; got " + describe(value);
             }
             std::string problem = range_problem(key, converted);
-            if (problem.empty()) member.write(scene) = std::move(converted);
+            if (problem.empty()) member.write(scene, item) = std::move(converted);
             return problem;
         },
         key.member);

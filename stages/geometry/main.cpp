@@ -1,4 +1,4 @@
-// tidewater-geometry: the scene's tank, bed, shelf, water, ice and block as level sets in
+// tidewater-geometry: the scene's tank, bed, shelf, water, ice and blocks as level sets in
 // <run>/geometry/geometry.vdb.
 #include <cmath>
 #include <cstdio>
@@ -19,25 +19,10 @@ using geometry::Box;
 using geometry::Extent;
 using geometry::Point;
 
-// In 2D bodies reach four voxels to each side of y = 0, so that the band in that plane knows of no end in y.
-constexpr double plane_half_width = 4.0;
-
-// An upright or turned box from a scene's vectors, (x, z) or (x, y, z).
-Box make_box(const scene::Scene& scene, const std::vector<double>& center, const std::vector<double>& size,
-             double angle) {
-    const bool flat = scene.dimension == 2;
-    Box box;
-    box.center = {center[0], flat ? 0.0 : center[1], center.back()};
-    box.half_size = {0.5 * size[0], flat ? plane_half_width * scene.domain.cell_size : 0.5 * size[1],
-                     0.5 * size.back()};
-    box.angle = angle;
-    return box;
-}
-
 Box upright_box(const scene::Scene& scene, std::vector<double> size) {
     std::vector<double> center = size;
     for (double& along : center) along *= 0.5;
-    return make_box(scene, center, size, 0.0);
+    return make_box(scene, center, size);
 }
 
 // Volume of a box in m³, in 2D its area in m².
@@ -66,7 +51,16 @@ Extent extent_of(const Box& box) {
 struct Solid {
     std::string name;
     Box box;
+    const scene::Scene::Block* block = nullptr;  // null for the shelf and the ice
 };
+
+// "block", or "block1", "block2", … of several; from ten on "block01", …, so that the file, which sorts its
+// grids by name, keeps them in the scene's order.
+std::string block_grid(std::size_t block, std::size_t count) {
+    if (count == 1) return "block";
+    const std::string number = std::to_string(block + 1);
+    return "block" + std::string(std::to_string(count).size() - number.size(), '0') + number;
+}
 
 std::vector<Solid> solids_of(const scene::Scene& scene) {
     std::vector<Solid> solids;
@@ -76,14 +70,10 @@ std::vector<Solid> solids_of(const scene::Scene& scene) {
         size.back() = scene.shelf.height;
         solids.push_back({"shelf", upright_box(scene, size)});
     }
-    if (scene.has("ice")) {
-        std::vector<double> center = scene.ice.corner;
-        for (std::size_t axis = 0; axis < center.size(); ++axis) center[axis] += 0.5 * scene.ice.size[axis];
-        solids.push_back({"ice", make_box(scene, center, scene.ice.size, 0.0)});
-    }
-    if (scene.has("rigid")) {
-        solids.push_back({"block", make_box(scene, scene.block.center, scene.block.size,
-                                            scene.block.angle * std::numbers::pi / 180.0)});
+    if (scene.has("ice")) solids.push_back({"ice", ice_box(scene)});
+    for (std::size_t n = 0; scene.has("rigid") && n < scene.blocks.size(); ++n) {
+        solids.push_back(
+            {block_grid(n, scene.blocks.size()), block_box(scene, scene.blocks[n]), &scene.blocks[n]});
     }
     return solids;
 }
@@ -149,6 +139,29 @@ openvdb::FloatGrid::Ptr box_level_set(const scene::Scene& scene, const std::stri
                                     [&](const Point& point) { return signed_distance(box, point); });
 }
 
+// How a block floats, if it does: a hint for whoever wants it to start at rest.
+void print_floating(const scene::Scene& scene, const Solid& solid) {
+    const double area = 4.0 * solid.box.half_size[0] * solid.box.half_size[2];
+    const double below = area_below(solid.box, scene.water.depth) / area;
+    const double share = solid.block->density / scene.water.model.density;
+    std::printf("  %.4g %% of it starts below the still level; ", 100.0 * below);
+    if (share >= 1.0) {
+        std::printf("it sinks: %.4g times as dense as water\n", share);
+        return;
+    }
+    std::printf("it floats with %.4g %% below, at this angle with its centre at z = %.6g m\n", 100.0 * share,
+                floating_height(solid.box, scene.water.depth, share));
+}
+
+void print_solid(const scene::Scene& scene, const Solid& solid) {
+    const bool flat = scene.dimension == 2;
+    const double size = volume(scene, solid.box);
+    std::printf("%s: %.6g %s", solid.name.c_str(), size, flat ? "m²" : "m³");
+    if (solid.block != nullptr) std::printf(", %.6g %s", size * solid.block->density, flat ? "kg/m" : "kg");
+    std::printf("\n");
+    if (solid.block != nullptr && scene.has("water")) print_floating(scene, solid);
+}
+
 void write_geometry(StageContext& context) {
     const scene::Scene& scene = context.scene;
     const char* unit = scene.dimension == 2 ? "m²" : "m³";
@@ -166,7 +179,7 @@ void write_geometry(StageContext& context) {
     }
     for (const Solid& solid : solids) {
         grids.push_back(box_level_set(scene, solid.name, solid.box));
-        std::printf("%s: %.6g %s\n", solid.name.c_str(), volume(scene, solid.box), unit);
+        print_solid(scene, solid);
         if (solid.name == "shelf") continue;
         geometry::describe_body(*grids.back(), solid.name == "ice" ? Material::ice : Material::rigid,
                                 volume(scene, solid.box));
@@ -190,6 +203,6 @@ void write_geometry(StageContext& context) {
 int main(int argc, char** argv) {
     using namespace tidewater;
     return run_stage(argc, argv, scene::Stage::geometry,
-                     "Writes the scene's tank, bed, shelf, water, ice and block as OpenVDB level sets.",
+                     "Writes the scene's tank, bed, shelf, water, ice and blocks as OpenVDB level sets.",
                      write_geometry);
 }

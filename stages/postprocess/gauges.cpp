@@ -15,8 +15,17 @@ namespace {
 // In cells; analysis/surface.h: particle noise stays below.
 constexpr double smallest_amplitude = 0.25;
 
+// The heaviest block; it makes the greatest wave.
+const scene::Scene::Block& wave_maker(const scene::Scene& scene) {
+    return *std::ranges::max_element(scene.blocks, {}, [](const scene::Scene::Block& block) {
+        double mass = block.density;
+        for (const double edge : block.size) mass *= edge;
+        return mass;
+    });
+}
+
 analysis::WaveSettings wave_settings(const scene::Scene& scene, double x) {
-    const bool left_of_block = scene.has("rigid") && x < scene.block.center.front();
+    const bool left_of_block = scene.has("rigid") && x < wave_maker(scene).center.front();
     return {.depth = scene.water.depth,
             .gravity = scene.domain.gravity,
             .far_wall = left_of_block ? 0.0 : scene.domain.size.front(),

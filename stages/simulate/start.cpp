@@ -71,14 +71,15 @@ mpm::Outlet make_outlet(const scene::Scene& scene) {
     return {.from = scene.domain.size.front() - scene.outlet.width, .level = scene.water.depth};
 }
 
-double density_of(Material material, const scene::Scene& scene) {
+// `block`: how many blocks came before.
+double density_of(Material material, const scene::Scene& scene, std::size_t block) {
     switch (material) {
         case Material::water:
             return scene.water.model.density;
         case Material::ice:
             return scene.ice.model.density;
         case Material::rigid:
-            return scene.block.density;
+            return scene.blocks.at(block).density;
     }
     return 0.0;
 }
@@ -144,7 +145,7 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
                         .boundaries = make_boundaries<D>(scene),
                         .outlet = make_outlet(scene),
                         .transfer = scene.simulate.transfer};
-    std::size_t count = 0;
+    std::size_t count = 0, blocks = 0;
     if (!std::filesystem::exists(file))
         throw InputError(file.string() + ": missing; run tidewater-geometry first");
     for (const auto& grid : io::read_level_sets(file)) {
@@ -153,7 +154,8 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
         auto& body = start.bodies.emplace_back();
         body.material = geometry::body_material(*grid);
         body.volume = geometry::body_volume(*grid);
-        body.mass = body.volume * density_of(body.material, scene);
+        body.mass = body.volume * density_of(body.material, scene, blocks);
+        if (body.material == Material::rigid) ++blocks;
         body.surface = scene.water.depth;
         geometry::Seeding seeding{.cell_size = scene.domain.cell_size,
                                   .per_axis = scene.particles.per_axis,

@@ -104,7 +104,7 @@ expect_line "angle = 10"
 case_named "the printed part holds only what the stage reads"
 run "$program" "$tiny" --print-part geometry
 expect_code 0
-expect_line "block.size = [0.3, 0.3]"
+expect_line "block.size = [0.5, 0.5]"
 expect_no_line "simulate"
 
 case_named "a warning is told and the stage goes on"

@@ -48,3 +48,18 @@ TEST_CASE("the area of the ground below a level is the integral of its height") 
         }
     }
 }
+
+TEST_CASE("the ground rises into a box by what it is above the box's lower side") {
+    const auto box = [](double x, double z, double half, double angle) {
+        return Box{{x, 0.0, z}, {half, 1.0, half}, angle};
+    };
+    CHECK(rise_into(slope, box(0.0, 2.0, 0.5, 0.0)) == doctest::Approx(-0.5));
+    CHECK(rise_into(slope, box(0.0, 1.5, 0.5, 0.0)) == doctest::Approx(0.0));
+    CHECK(rise_into(slope, box(3.0, 2.5, 0.5, 0.0)) ==
+          doctest::Approx(1.0 + 0.75 * 1.5 - 2.0));                              // its corner
+    CHECK(rise_into(slope, box(6.0, 4.25, 0.5, 0.0)) == doctest::Approx(0.25));  // the peak
+    const Profile spike{{0.9, 1.0, 1.1}, {0.0, 9.0, 0.0}};                       // through the whole box
+    CHECK(rise_into(spike, box(1.0, 4.0, 0.5, 0.0)) == doctest::Approx(5.5));
+    const double quarter = 0.7853981633974483;  // on its corner, which the level ground beyond the ends meets
+    CHECK(rise_into(slope, box(9.0, 0.5, 0.5, quarter)) == doctest::Approx(std::sqrt(0.5) - 0.5));
+}

@@ -54,7 +54,7 @@ TEST_CASE("keys reach members of their own") {
     for (const Key& key : all_keys()) {
         Scene scene;
         const auto change = [&](const auto& member) {
-            auto& value = member.write(scene);
+            auto& value = member.write(scene, 0);
             using T = std::remove_cvref_t<decltype(value)>;
             if constexpr (std::is_same_v<T, std::string>)
                 value = "changed";
@@ -64,6 +64,8 @@ TEST_CASE("keys reach members of their own") {
                 value = {{7.0}, {1.0, 2.0}};
             else if constexpr (std::is_same_v<T, std::vector<std::string>>)
                 value = {"changed"};
+            else if constexpr (std::is_enum_v<T>)
+                value = value == T{} ? static_cast<T>(1) : T{};
             else
                 value = static_cast<T>(1 + static_cast<int>(value));
         };

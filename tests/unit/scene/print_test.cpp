@@ -43,7 +43,7 @@ TEST_CASE("the resolved text reads back to the same scene and the same text") {
         CHECK(same(again, scene));
         CHECK(again.title == scene.title);
         CHECK(again.domain.gravity == scene.domain.gravity);
-        CHECK(again.block.angle == scene.block.angle);
+        CHECK(again.blocks[0].angle == scene.blocks[0].angle);
         CHECK(again.water.model.density == scene.water.model.density);
         CHECK(again.simulate.gauges == scene.simulate.gauges);
     }

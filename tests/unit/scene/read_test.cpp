@@ -12,7 +12,7 @@ TEST_CASE("a scene that is in order reads with its values and the defaults") {
     CHECK(scene.domain.cell_size == 0.01);
     CHECK(scene.domain.gravity == 9.81);
     CHECK(scene.water.model.sound_speed == mpm::WaterModel{}.sound_speed);
-    CHECK(scene.block.center == std::vector<double>{0.3, 0.7});
+    CHECK(scene.blocks[0].center == std::vector<double>{0.3, 0.7});
     CHECK(scene.has("water"));
     CHECK(scene.has("rigid"));
     CHECK_FALSE(scene.has("ice"));
@@ -95,7 +95,7 @@ TEST_CASE("a section that is given as a value or as a list is an unknown key") {
     CHECK(problem("particles = 3\n" + block_scene) ==
           "a.toml:1: particles: unknown key; --help-scene lists all keys");
     CHECK(problem(block_scene + "[[particles]]\njitter = 1\n") ==
-          "a.toml:13: particles: unknown key; --help-scene lists all keys");
+          "a.toml:14: particles.1.jitter: unknown key; did you mean particles.jitter?");
 }
 
 TEST_CASE("a wrong type is told with what is needed, an example and what was found") {
