@@ -8,7 +8,7 @@
 // on the nodes after every grid update, the next trip leaves P (2 − P) v = (1 − (1 − P)²) v: the loss is
 // squared. P is symmetric in the nodes' masses with eigenvalues from 0 to 1, so nothing grows, and it
 // conserves momentum and angular momentum. Costs a second round trip, that is about as much again as water's
-// step. Not beside rigid bodies, whose nodes move as one.
+// step. Rigid bodies meet their nodes once more afterwards.
 //
 // Source: the second-order member of the family XPIC(m), Hammerquist & Nairn (2017), here with APIC's P and
 // without velocities on particles. Test: tests/unit/mpm/restore_test.cpp.

@@ -43,7 +43,7 @@ struct Parameters {
     IceModel ice;
     Boundaries<D> boundaries;
     Outlet outlet;
-    Transfer transfer = Transfer::apic;  // restored: not beside rigid bodies
+    Transfer transfer = Transfer::apic;
 };
 
 // The settle phase before time begins (mpm/settle.h).

@@ -201,11 +201,6 @@ void check_companions(Reading& reading) {
                                       "\": a rigid block knows only water, ice, a bed and the tank's walls "
                                       "so far; remove one of them");
     }
-    if (reading.scene.simulate.transfer == mpm::Transfer::restored && reading.scene.has("rigid")) {
-        reading.report("simulate.transfer",
-                       "\"restored\" does not work beside the effect \"rigid\", whose nodes move as one; use "
-                       "\"apic\"");
-    }
     for (const char* body : {"rigid", "ice", "shelf", "bed"}) {
         if (!reading.scene.has("wave") || !reading.scene.has(body)) continue;
         reading.report("effects",

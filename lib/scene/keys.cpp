@@ -519,8 +519,8 @@ constexpr std::array keys{
     Key{.name = "simulate.transfer",
         .member = member<&S::simulate, &S::Simulate::transfer>(),
         .stages = by_simulate,
-        .help = "between particles and grid; restored damps short waves less, at about twice the cost; not "
-                "with the effect \"rigid\""},
+        .help = "between particles and grid; restored damps short waves and the flow around blocks "
+                "less, at about twice the cost"},
     Key{.name = "simulate.checkpoint_interval",
         .unit = "s",
         .member = member<&S::simulate, &S::Simulate::checkpoint_interval>(),

@@ -13,7 +13,7 @@
 namespace tidewater {
 namespace {
 
-constexpr std::int64_t format_version = 4;
+constexpr std::int64_t format_version = 5;
 
 io::Hdf5Reader open_checkpoint(const std::filesystem::path& path) {
     io::Hdf5Reader file(path, "--from start begins the run anew");

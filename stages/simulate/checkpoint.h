@@ -21,7 +21,8 @@ struct RunState {
     std::int64_t frames = 0;                          // of frames
     std::int64_t wrote = 0;                           // 1 if a row or frame is of this very time
     std::vector<double> frame_times;                  // of the frames that lie in the folder, s
-    std::string gauges, pressures, ledger;            // the tables so far; pressures may be empty
+    std::string gauges, pressures, bodies, ledger;    // the tables so far; two of them may be empty
+    std::vector<double> last_bodies;                  // BodiesTable::last
     double start_energy = 0.0, highest_energy = 0.0;  // J
 
     bool begun() const { return rows > 0; }
@@ -35,6 +36,8 @@ struct RunState {
         visit("frame_times", frame_times);
         visit("gauges", gauges);
         visit("pressures", pressures);
+        visit("bodies", bodies);
+        visit("last_bodies", last_bodies);
         visit("ledger", ledger);
         visit("start_energy", start_energy);
         visit("highest_energy", highest_energy);

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "io/snapshot.h"
 #include "io/text.h"
+#include "mpm/lift.h"
 #include "mpm/motion.h"
 #include "mpm/pressure.h"
 #include "mpm/sensor.h"
@@ -84,7 +85,7 @@ void remove_file(const std::filesystem::path& path) {
 // Removes what simulate writes, whole or as a part, but for the files with these names.
 void remove_all_but(const std::filesystem::path& folder, const std::set<std::string>& kept) {
     const std::regex ours(
-        R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|pressures\.csv|ledger\.csv|checkpoint\.h5|log)(\.part)?)");
+        R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|pressures\.csv|bodies\.csv|ledger\.csv|checkpoint\.h5|log)(\.part)?)");
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
@@ -117,10 +118,38 @@ Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path
       places_(gauge_places(scene.simulate.gauges, scene)),
       sensors_(pressure_points<D>(scene.simulate.pressure_gauges)),
       gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
-      ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()) {
+      ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()),
+      spacing_(scene.domain.cell_size / scene.particles.per_axis) {
     if (!sensors_.empty()) {
         pressures_.emplace(folder / "pressures.csv", provenance,
                            pressure_columns(scene.simulate.pressure_gauges));
+    }
+    if (scene.has("rigid")) bodies_.emplace(folder / "bodies.csv", provenance, D);
+}
+
+// Appends points that stand for a rigid body; their numbers count down from the greatest, which no particle
+// has, so that they stay when particles leave. `number` is the next one.
+template <int D>
+void append_body(const mpm::RigidBody& body, double cell_size, double spacing, std::uint32_t& number,
+                 io::Snapshot& snapshot) {
+    const auto points = mpm::points_within<D>(body, cell_size, spacing);
+    const double volume = 1.0 / static_cast<double>(points.size());
+    Vector<D, double> size = 2.0 * mpm::drop<D>(body.half_size);
+    const bool fractures = !snapshot.damage.empty();
+    for (const auto& point : points) {
+        const Eigen::Vector3d arm = mpm::lift<D>(point) - body.center_in_box(cell_size);
+        snapshot.id.push_back(number--);
+        snapshot.points.resize(snapshot.points.size() + 3);
+        lift<D>(point, &snapshot.points.back() - 2);
+        snapshot.velocity.resize(snapshot.velocity.size() + 3);
+        lift<D>(mpm::drop<D>(body.velocity_at(arm)), &snapshot.velocity.back() - 2);
+        snapshot.pressure.push_back(0.0f);
+        snapshot.volume.push_back(static_cast<float>(volume * size.prod()));
+        snapshot.material.push_back(static_cast<std::uint8_t>(Material::rigid));
+        if (fractures) {
+            snapshot.damage.push_back(0.0f);
+            snapshot.failure_time.push_back(std::numeric_limits<float>::quiet_NaN());
+        }
     }
 }
 
@@ -167,6 +196,10 @@ void Records<D, Real>::write_frame(const mpm::Simulation<D, Real>& s) {
                                  lift<D>(velocity, snapshot.velocity.data() + first + 3 * p);
                              });
     }
+    auto number = std::numeric_limits<std::uint32_t>::max();
+    for (const mpm::RigidBody& body : s.rigid) {
+        append_body<D>(body, s.grid.layout.cell_size, spacing_, number, snapshot);
+    }
     io::write_snapshot(folder_ / io::snapshot_name(frame_times_.size()), snapshot, provenance_);
     frame_times_.push_back(s.time);
     io::write_series(folder_, frame_times_);
@@ -206,6 +239,8 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
         pressures_->append(row);
     }
 
+    if (bodies_) bodies_->append(s);
+
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
     energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic + s.outflow.energy - s.boundary_work;
     if (first_row_) start_energy_ = highest_energy_ = energy_;
@@ -230,6 +265,10 @@ void Records<D, Real>::store(RunState& run) {
     run.frame_times = frame_times_;
     run.gauges = gauges_.text();
     if (pressures_) run.pressures = pressures_->text();
+    if (bodies_) {
+        run.bodies = bodies_->table().text();
+        run.last_bodies = bodies_->last;
+    }
     run.ledger = ledger_.text();
     run.start_energy = start_energy_;
     run.highest_energy = highest_energy_;
@@ -240,6 +279,10 @@ void Records<D, Real>::resume(const RunState& run) {
     frame_times_ = run.frame_times;
     gauges_.resume(run.gauges);
     if (pressures_) pressures_->resume(run.pressures);
+    if (bodies_) {
+        bodies_->table().resume(run.bodies);
+        bodies_->last = run.last_bodies;
+    }
     ledger_.resume(run.ledger);
     start_energy_ = run.start_energy;
     highest_energy_ = run.highest_energy;
@@ -251,6 +294,7 @@ template <int D, class Real>
 void Records<D, Real>::keep_parts() {
     gauges_.keep_part();
     if (pressures_) pressures_->keep_part();
+    if (bodies_) bodies_->table().keep_part();
     ledger_.keep_part();
 }
 
@@ -258,6 +302,7 @@ template <int D, class Real>
 void Records<D, Real>::finish() {
     gauges_.finish();
     if (pressures_) pressures_->finish();
+    if (bodies_) bodies_->table().finish();
     ledger_.finish();
 }
 

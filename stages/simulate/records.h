@@ -1,11 +1,12 @@
 // What a run writes while it goes: frame_NNNN.hdf with frame.hdf.series, gauges.csv, pressures.csv if the
-// scene has pressure gauges, and ledger.csv.
+// scene has pressure gauges, bodies.csv if it has rigid blocks, and ledger.csv.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 
 #include "analysis/surface.h"
+#include "bodies.h"
 #include "checkpoint.h"
 #include "core/provenance.h"
 #include "io/table.h"
@@ -57,7 +58,9 @@ private:
     std::vector<Vector<D, double>> sensors_;  // of the pressure, m
     io::TableWriter gauges_;
     std::optional<io::TableWriter> pressures_;  // only of a scene that has sensors
+    std::optional<BodiesTable> bodies_;         // only of one that has blocks
     io::TableWriter ledger_;
+    double spacing_;  // of the points that stand for rigid blocks, m
     std::vector<double> frame_times_;
     double start_energy_ = 0.0, energy_ = 0.0, highest_energy_ = 0.0, momentum_residual_ = 0.0;
     bool first_row_ = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "analysis/wave_theory.h"
@@ -72,20 +73,31 @@ mpm::Outlet make_outlet(const scene::Scene& scene) {
 }
 
 // `block`: how many blocks came before.
-double density_of(Material material, const scene::Scene& scene, std::size_t block) {
-    switch (material) {
-        case Material::water:
-            return scene.water.model.density;
-        case Material::ice:
-            return scene.ice.model.density;
-        case Material::rigid:
-            return scene.blocks.at(block).density;
+template <int D>
+std::vector<mpm::RigidStart<D>> make_blocks(const scene::Scene& scene) {
+    std::vector<mpm::RigidStart<D>> blocks;
+    if (!scene.has("rigid")) return blocks;
+    using Vec = Eigen::Map<const Vector<D, double>>;
+    constexpr double radians = std::numbers::pi / 180.0;
+    for (const scene::Scene::Block& block : scene.blocks) {
+        blocks.push_back({.size = Vec(block.size.data()),
+                          .center = Vec(block.center.data()),
+                          .angle = radians * block.angle,
+                          .density = block.density,
+                          .contact = block.contact,
+                          .friction = block.friction,
+                          .velocity = Vec(block.velocity.data()),
+                          .spin = radians * block.spin});
     }
-    return 0.0;
+    return blocks;
 }
 
-// Whether a level set bounds the scene and is no body in it.
-bool is_boundary(const std::string& name) { return name == "tank" || name == "bed" || name == "shelf"; }
+// Whether a level set is of what has no particles: it bounds the scene, or is rigid.
+bool is_empty(const openvdb::FloatGrid& grid) {
+    const std::string name = grid.getName();
+    return name == "tank" || name == "bed" || name == "shelf" ||
+           geometry::body_material(grid) == Material::rigid;
+}
 
 void check_made_for(const scene::Scene& scene, const openvdb::FloatGrid& grid,
                     const std::filesystem::path& file) {
@@ -145,30 +157,31 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
                         .boundaries = make_boundaries<D>(scene),
                         .outlet = make_outlet(scene),
                         .transfer = scene.simulate.transfer};
-    std::size_t count = 0, blocks = 0;
+    start.rigid = make_blocks<D>(scene);
+    std::size_t count = 0;
     if (!std::filesystem::exists(file))
         throw InputError(file.string() + ": missing; run tidewater-geometry first");
     for (const auto& grid : io::read_level_sets(file)) {
         check_made_for(scene, *grid, file);
-        if (is_boundary(grid->getName())) continue;
+        if (is_empty(*grid)) continue;
         auto& body = start.bodies.emplace_back();
         body.material = geometry::body_material(*grid);
         body.volume = geometry::body_volume(*grid);
-        body.mass = body.volume * density_of(body.material, scene, blocks);
-        if (body.material == Material::rigid) ++blocks;
+        const bool water = body.material == Material::water;
+        body.mass = body.volume * (water ? scene.water.model.density : scene.ice.model.density);
         body.surface = scene.water.depth;
         geometry::Seeding seeding{.cell_size = scene.domain.cell_size,
                                   .per_axis = scene.particles.per_axis,
                                   .jitter = scene.particles.jitter,
                                   .seed = scene.seed,
                                   .stream = start.bodies.size()};
-        const bool wave = scene.has("wave") && body.material == Material::water;
+        const bool wave = scene.has("wave") && water;
         if (wave) displace_lattice(initial_wave(scene), scene.domain.size.front(), seeding);
         body.points = geometry::seed_points<D>(*grid, seeding);
         if (wave) start_wave<D>(initial_wave(scene), body);
         count += body.points.size();
     }
-    if (count == 0)
+    if (count == 0 && start.rigid.empty())
         throw SceneError("the scene has no particles: its bodies are empty; see water.*, ice.* and block.*");
     return start;
 }
@@ -182,6 +195,14 @@ std::string start_fingerprint(const mpm::Start<D>& start) {
         hash = hash_bytes(std::as_bytes(std::span(body.points)), hash);
         hash = hash_bytes(std::as_bytes(std::span(body.velocity)), hash);
         hash = hash_bytes(std::as_bytes(std::span(body.head)), hash);
+    }
+    for (const auto& body : start.rigid) {
+        const std::array numbers{body.angle, body.density, static_cast<double>(body.contact), body.friction,
+                                 body.spin};
+        hash = hash_bytes(std::as_bytes(std::span(numbers)), hash);
+        for (const auto* vector : {&body.size, &body.center, &body.velocity}) {
+            hash = hash_bytes(std::as_bytes(std::span(vector->data(), static_cast<std::size_t>(D))), hash);
+        }
     }
     return hash_hex(hash);
 }

@@ -332,9 +332,8 @@ TEST_CASE("gauges have the coordinates that their dimension needs, inside the ta
           std::string::npos);
 }
 
-TEST_CASE("the restored transfer and a rigid block do not go together") {
-    CHECK(problem(block_scene, {"simulate.transfer=\"restored\""}).find("does not work beside the effect") !=
-          std::string::npos);
+TEST_CASE("every transfer, scheme and tension goes with a rigid block") {
+    CHECK(problem(block_scene, {"simulate.transfer=\"restored\""}) == "");
     CHECK(problem(block_scene, {"simulate.transfer=\"apic\"", "water.scheme=\"paper\"",
                                 "water.tension=\"paper\""}) == "");
 }
