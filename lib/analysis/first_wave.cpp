@@ -12,8 +12,8 @@ namespace {
 
 constexpr double smoothing = 0.1;             // deviation along x, in D
 constexpr double least_smoothing = 2.0;       // and at least so many cells
-constexpr double noise = 0.05;                // in cells: a smaller fall is none
-constexpr double least_height = 0.1;          // of a leading crest, in cells
+constexpr double noise = 0.02;                // in cells: a smaller fall is none
+constexpr double least_height = 0.04;         // of a leading crest, in cells
 constexpr double leading_share = 0.15;        // and of the highest crest
 constexpr double far_enough = 1.0;            // from the source, for the highest crest, in D
 constexpr double wall_share = 0.2;            // at the wall, of the leading crest
@@ -218,6 +218,12 @@ FirstWave follow_first_wave(std::span<const double> x, std::span<const SurfacePr
     wave.greatest = find_greatest(wave.track);
     fit_celerity(settings, wave);
     return wave;
+}
+
+double linear_crest_distance(double depth, double gravity, double time) {
+    constexpr double crest_of_airy = -1.0187929716;  // where Ai is greatest
+    const double celerity = long_wave_celerity(depth, gravity);
+    return celerity * time + crest_of_airy * std::cbrt(0.5 * celerity * depth * depth * time);
 }
 
 double amplitude_at(const FirstWave& wave, double distance) {
