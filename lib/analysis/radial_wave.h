@@ -19,6 +19,8 @@
 // Test: tests/unit/analysis/radial_wave_test.cpp, against the figures in shared/physics.md §6.
 #pragma once
 
+#include <array>
+
 namespace tidewater::analysis {
 
 struct Slide {
@@ -34,6 +36,9 @@ struct Slide {
     double thickness_ratio() const;  // S
     double mass_ratio() const;       // M
 };
+
+// r/D at which Heller et al. (2019) had gauges, icebergs that capsize up to 15.
+inline constexpr std::array laboratory_distances{2.0, 5.0, 10.0, 15.0, 35.0};
 
 inline constexpr double radial_scatter = 0.5;  // of radial_factor, either way
 

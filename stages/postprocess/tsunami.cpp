@@ -13,7 +13,6 @@
 namespace tidewater::postprocess {
 namespace {
 
-constexpr std::array distance_ratios{2.0, 5.0, 10.0, 15.0, 35.0};  // r/D, of the laboratory's gauges
 constexpr const char* outside = "outside the validated range";
 
 std::vector<WaveWay> ways_out(int number, const scene::Scene& scene) {
@@ -85,13 +84,14 @@ std::string describe_way(const WaveWay& way, double reference) {
 
 std::string describe_in_3d(const Tsunami& t, double amplitude) {
     std::string text = "in 3D (+-50 %), of " + fixed(amplitude, 4) + " m:";
-    for (const double ratio : distance_ratios) {
-        text += (ratio == distance_ratios.front() ? " " : ", ") +
+    for (const double ratio : analysis::laboratory_distances) {
+        text += (ratio == analysis::laboratory_distances.front() ? " " : ", ") +
                 fixed(analysis::radial_factor(t.slide, ratio) * amplitude, 4) +
                 " m at r/D = " + fixed(ratio, 0);
     }
-    text += "\nby the impulse product: height " + fixed(t.impulse.height(distance_ratios.front()), 4) +
-            " m in 2D at x/D = " + fixed(distance_ratios.front(), 0);
+    text += "\nby the impulse product: height " +
+            fixed(t.impulse.height(analysis::laboratory_distances.front()), 4) +
+            " m in 2D at x/D = " + fixed(analysis::laboratory_distances.front(), 0);
     return text + (t.impulse.is_valid() ? "" : std::string(", ") + outside) + "\n";
 }
 
@@ -164,7 +164,7 @@ void write_waves_3d(const std::filesystem::path& path, const Tsunami& tsunami, c
          "amplitude_2d_here", "amplitude_3d_of_here", "impulse_height", "impulse_range"});
     const WaveWay* way = tsunami.higher_way();
     const double greatest = way ? way->wave.greatest.amplitude : analysis::none;
-    for (const double ratio : distance_ratios) {
+    for (const double ratio : analysis::laboratory_distances) {
         const double factor = analysis::radial_factor(tsunami.slide, ratio), middle = factor * greatest;
         const double here =
             way ? analysis::amplitude_at(way->wave, ratio * tsunami.slide.depth) : analysis::none;
@@ -199,6 +199,7 @@ void write_tsunami(const std::filesystem::path& path, const Tsunami& tsunami, co
                            "celerity_from",
                            "long_wave_celerity",
                            "error_percent",
+                           "linear_celerity",
                            "block_energy",
                            "water_energy",
                            "lost_energy",
@@ -228,6 +229,7 @@ void write_tsunami(const std::filesystem::path& path, const Tsunami& tsunami, co
                             wave.formed,
                             reference,
                             error_percent(wave.celerity, reference),
+                            way ? way->linear_celerity : analysis::none,
                             last(energy.block),
                             last(energy.water),
                             last(energy.lost),

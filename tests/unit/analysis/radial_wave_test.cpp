@@ -35,7 +35,7 @@ TEST_CASE("F, S and M are those of the laboratory's gravity-dominated fall") {
 }
 
 TEST_CASE("the ratios are those of shared/physics.md") {
-    constexpr std::array distances{2.0, 5.0, 10.0, 15.0, 35.0};
+    const auto& distances = laboratory_distances;
     const auto check = [&](const Slide& of, const auto& expected) {
         for (std::size_t i = 0; i < expected.size(); ++i) {
             CAPTURE(distances[i]);
