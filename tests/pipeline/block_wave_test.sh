@@ -89,13 +89,21 @@ sed -i 's/^\(0\.30[0-9]*,.*\),[0-9.]*$/\1,5004.5/' rise/simulate/ledger.csv
 postprocess block_wave.toml rise
 expect_line "the total's greatest rise above its start 1.50 J per m"
 
-case_named "a block in the open sends its wave both ways, and one at the right wall to the left"
+case_named "a block in the open sends its wave both ways"
 sed 's/center.*/center = [5.25, 1.2]/' block_wave.toml >open.toml
 cp -r fall open && cp open.toml open/simulate/scene.toml
 postprocess open.toml open
 expect_code 0
 expect_line "first wave to the right: at most"
 expect_line "first wave to the left: none was found"
+case_named "the celerity from gauges is that of one of the waves"
+awk 'function g(d) { return 0.1 * exp(-4.5 * d * d) } BEGIN { print "time,x=2,x=7,x=9"
+    for (t = 0; t < 3.65; t += 0.1) print t "," g(t - 2.5) "," g(t - 1.5) "," g(t - 1.5 - 2 / 3) }' >open/simulate/gauges.csv
+postprocess open.toml open
+expect_near "from gauge to gauge" "$(value open/postprocess/waves.csv celerity 2)" 3 0.03
+expect_near "of all" "$(value open/postprocess/waves.csv celerity 4)" 3 0.03
+
+case_named "a block at the right wall sends its wave to the left"
 sed 's/center.*/center = [11.75, 1.2]/' block_wave.toml >right.toml
 cp -r fall right && cp right.toml right/simulate/scene.toml
 postprocess right.toml right
