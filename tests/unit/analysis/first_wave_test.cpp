@@ -176,6 +176,17 @@ TEST_CASE("higher crests behind and a splash beside the body do not lead") {
     CHECK(wave.track.back().time == doctest::Approx(7.0));
 }
 
+TEST_CASE("a forerunner a tenth as high does not lead") {
+    const Surface surface = [](double x, double t) {
+        return 0.1 * std::exp(-std::pow(x - 1.0 - 3.0 * t, 2)) +
+               0.01 * std::exp(-std::pow((x - 5.0 - 3.3 * t) / 0.5, 2));
+    };
+    const FirstWave wave = observe(30.0, 5.0, 0.1, 0.02, surface).follow(0.0, 30.0);
+    REQUIRE(wave.track.size() > 40);
+    CHECK(wave.celerity == doctest::Approx(3.0).epsilon(0.01));
+    for (const CrestPoint& crest : wave.track) CHECK(crest.amplitude > 0.05);
+}
+
 TEST_CASE("behind a trough that leads, the crest is followed") {
     const Release hollow(-0.2, 0.4);
     const Surface surface = [&](double x, double t) { return hollow(x, t); };
