@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/types.h"
@@ -27,8 +28,10 @@ struct PixelBox {
 };
 
 std::array<double, 3> corner(const PictureSettings& settings, int index) {
-    return {index & 1 ? settings.size[0] : 0.0, index & 2 ? settings.size[1] : 0.0,
-            index & 4 ? settings.size[2] : 0.0};
+    const auto at = [&](int bit, std::size_t axis) {
+        return index & bit ? settings.high[axis] : settings.low[axis];
+    };
+    return {at(1, 0), at(2, 1), at(4, 2)};
 }
 
 // Looking along the tank's width in 2D; in 3D turned by 14° and from 25° above.
@@ -48,7 +51,8 @@ Layout make_layout(const PictureSettings& settings) {
     layout.unit = settings.width / 1600.0;
     layout.letters = std::max(19.0 * layout.unit, 9.0);
     layout.view = make_view(settings);
-    double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;  // of the tank's silhouette at scale 1
+    constexpr double far = std::numeric_limits<double>::infinity();
+    double left = far, right = -far, top = far, bottom = -far;  // of the silhouette at scale 1
     for (int i = 0; i < 8; ++i) {
         const Pixel p = layout.view.project(corner(settings, i));
         left = std::min(left, p.x);
@@ -144,10 +148,14 @@ void draw_ground(Canvas& canvas, const PictureSettings& settings, const Layout& 
     const auto& z = settings.ground_z;
     if (settings.dimension != 2 || x.empty()) return;
     const auto piece = [&](double from, double z_from, double to, double z_to) {
-        const double left = std::max(from, 0.0), right = std::min(to, settings.size[0]);
+        const double left = std::max(from, settings.low[0]), right = std::min(to, settings.high[0]);
         if (left >= right) return;
-        const auto height = [&](double at) { return z_from + (z_to - z_from) * (at - from) / (to - from); };
-        const Pixel a = layout.view.project({left, 0.0, 0.0}), b = layout.view.project({right, 0.0, 0.0});
+        const double bottom = settings.low[2];
+        const auto height = [&](double at) {
+            return std::clamp(z_from + (z_to - z_from) * (at - from) / (to - from), bottom, settings.high[2]);
+        };
+        const Pixel a = layout.view.project({left, 0.0, bottom});
+        const Pixel b = layout.view.project({right, 0.0, bottom});
         const Pixel c = layout.view.project({right, 0.0, height(right)});
         const Pixel d = layout.view.project({left, 0.0, height(left)});
         for (int column = static_cast<int>(std::floor(a.x)); column < b.x; ++column) {
@@ -158,9 +166,9 @@ void draw_ground(Canvas& canvas, const PictureSettings& settings, const Layout& 
         }
         canvas.line(d, c, 1.5 * layout.unit, palette::ink);
     };
-    piece(std::min(x.front(), 0.0) - 1.0, z.front(), x.front(), z.front());
+    piece(std::min(x.front(), settings.low[0]) - 1.0, z.front(), x.front(), z.front());
     for (std::size_t i = 1; i < x.size(); ++i) piece(x[i - 1], z[i - 1], x[i], z[i]);
-    piece(x.back(), z.back(), std::max(x.back(), settings.size[0]) + 1.0, z.back());
+    piece(x.back(), z.back(), std::max(x.back(), settings.high[0]) + 1.0, z.back());
 }
 
 void draw_scale(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
@@ -223,23 +231,25 @@ void draw_legend(Canvas& canvas, const PictureParticles& particles, const Layout
 void draw_axes(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
     const double u = layout.unit, thin = 1.5 * u;
     const auto& view = layout.view;
-    const double width = view.project({settings.size[0], 0.0, 0.0}).x - view.project({0.0, 0.0, 0.0}).x;
-    const Ticks along = make_ticks(0.0, settings.size[0], std::max(2, static_cast<int>(width / (85 * u))));
+    const auto &low = settings.low, &high = settings.high;
+    const Pixel left = view.project(low), right = view.project({high[0], low[1], low[2]});
+    const Pixel upper = view.project({low[0], low[1], high[2]});
+    const Ticks along =
+        make_ticks(low[0], high[0], std::max(2, static_cast<int>((right.x - left.x) / (85 * u))));
     for (std::size_t i = 0; i < along.values.size(); ++i) {
-        const Pixel at = view.project({along.values[i], 0.0, 0.0});
+        const Pixel at = view.project({along.values[i], low[1], low[2]});
         canvas.line(at, {at.x, at.y + 6 * u}, thin, palette::ink);
         canvas.text({at.x, at.y + 20 * u}, Align::center, layout.letters, along.labels[i]);
     }
-    const Pixel middle = view.project({0.5 * settings.size[0], 0.0, 0.0});
-    canvas.text({middle.x, middle.y + 48 * u}, Align::center, layout.letters, "x (m)");
-    const double height = view.project({0.0, 0.0, 0.0}).y - view.project({0.0, 0.0, settings.size[2]}).y;
-    const Ticks upward = make_ticks(0.0, settings.size[2], std::max(2, static_cast<int>(height / (50 * u))));
+    canvas.text({0.5 * (left.x + right.x), 0.5 * (left.y + right.y) + 48 * u}, Align::center, layout.letters,
+                "x (m)");
+    const Ticks upward =
+        make_ticks(low[2], high[2], std::max(2, static_cast<int>((left.y - upper.y) / (50 * u))));
     for (std::size_t i = 0; i < upward.values.size(); ++i) {
-        const Pixel at = view.project({0.0, 0.0, upward.values[i]});
+        const Pixel at = view.project({low[0], low[1], upward.values[i]});
         canvas.line({at.x - 6 * u, at.y}, at, thin, palette::ink);
         canvas.text({at.x - 11 * u, at.y}, Align::right, layout.letters, upward.labels[i]);
     }
-    const Pixel upper = view.project({0.0, 0.0, settings.size[2]});
     canvas.text({upper.x - 6 * u, upper.y - 22 * u}, Align::right, layout.letters, "z (m)");
 }
 
@@ -260,8 +270,10 @@ void draw_edges(Canvas& canvas, const PictureSettings& settings, const Layout& l
 
 void draw_still_level(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
     const double u = layout.unit;
-    const Pixel from = layout.view.project({0.0, 0.0, settings.still_level});
-    const Pixel to = layout.view.project({settings.size[0], 0.0, settings.still_level});
+    const auto &low = settings.low, &high = settings.high;
+    if (settings.still_level < low[2] || settings.still_level > high[2]) return;
+    const Pixel from = layout.view.project({low[0], low[1], settings.still_level});
+    const Pixel to = layout.view.project({high[0], low[1], settings.still_level});
     canvas.line(from, to, 2.5 * u, palette::paper, 0.35);
     canvas.dashed_line(from, to, 1.6 * u, 10 * u, 7 * u, palette::ink, 0.85);
 }
@@ -273,8 +285,9 @@ void draw_gauges(Canvas& canvas, const PictureSettings& settings, const Layout& 
     std::ranges::sort(gauges);
     double free_from = 0.0;
     for (const auto& [x, across] : gauges) {
+        if (x < settings.low[0] || x > settings.high[0]) continue;
         const double y = settings.dimension == 3 ? across : 0.0;
-        const Pixel top = layout.view.project({x, y, settings.size[2]});
+        const Pixel top = layout.view.project({x, y, settings.high[2]});
         const Pixel tip = layout.view.project({x, y, settings.still_level});
         canvas.dashed_line(top, tip, 1.2 * u, 3 * u, 4 * u, palette::ink, 0.6);
         canvas.triangle({top.x - 6 * u, top.y - 11 * u}, {top.x + 6 * u, top.y - 11 * u}, top, palette::ink);

@@ -22,7 +22,8 @@ struct PictureParticles {
 
 struct PictureSettings {
     int dimension = 2;
-    std::array<double, 3> size{};   // m, of the tank from the origin; y is not read in 2D
+    std::array<double, 3> low{},
+        high{};                     // m, corners of the part of the tank that is shown; y not read in 2D
     double particle_spacing = 0.0;  // m, > 0
     double still_level = 0.0;       // z of the still water surface, m
     double greatest_speed = 1.0;    // m/s, the colour scale's upper end, > 0
@@ -31,13 +32,13 @@ struct PictureSettings {
     std::vector<std::array<double, 2>> gauges;  // (x, y), m; y is not read in 2D
     // Corners of the ground, m; x rises, level beyond the ends, for all y; drawn in 2D. Empty: none.
     std::vector<double> ground_x, ground_z;
-    int width = 1600;  // pixels, at least 400; the height follows from the tank
+    int width = 1600;  // pixels, at least 400; the height follows from the part that is shown
 };
 
 // Water is coloured by its speed, ice by its damage, rigid blocks by their own colour; both have a dark
 // outline. 2D: the x-z
 // plane. 3D: a parallel projection from the front, right and above, with shading. The same particles give the
-// same picture.
+// same picture. In 2D what lies outside of `low` to `high` is cut off; in 3D nothing should.
 Canvas draw_picture(const PictureParticles& particles, const PictureSettings& settings);
 
 }  // namespace tidewater::io

@@ -59,4 +59,21 @@ std::string escape_xml(std::string_view text) {
     return escaped;
 }
 
+std::string encode_base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string encoded;
+    encoded.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const auto byte = [&](std::size_t k) {
+            return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u;
+        };
+        const unsigned bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const bool beyond = k > bytes.size() - i;
+            encoded += beyond ? '=' : digits[bits >> (18 - 6 * k) & 63u];
+        }
+    }
+    return encoded;
+}
+
 }  // namespace tidewater::io

@@ -19,4 +19,7 @@ std::optional<double> parse_number(std::string_view text);
 // With &, <, >, " and ' replaced, for XML text and attributes.
 std::string escape_xml(std::string_view text);
 
+// As base64 (RFC 4648), without line ends.
+std::string encode_base64(std::string_view bytes);
+
 }  // namespace tidewater::io

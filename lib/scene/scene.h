@@ -145,8 +145,10 @@ struct Scene {
     struct Postprocess {
         Points gauges;                      // further gauges, read from the snapshots
         std::vector<double> picture_times;  // s; empty: five, evenly spread
+        double picture_interval = 0.0;      // s, between pictures; 0: picture_times
         int picture_width = 1600;           // pixels
         double picture_speed = 0.0;         // m/s, the colour scale's upper end; 0: the run's own
+        std::vector<double> picture_window;  // m: x0, z0, x1, z1 of the part to draw; empty: all
         double arrival_threshold =
             0.05;  // a wave has arrived at this share of the gauge's greatest amplitude
         double iceberg_damage =

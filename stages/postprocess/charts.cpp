@@ -105,4 +105,74 @@ std::string energy_chart(const io::Table& ledger, const std::filesystem::path& p
         context.provenance);
 }
 
+std::string body_chart(const std::vector<Body>& bodies, const StageContext& context) {
+    io::Chart chart{.title = context.scene.title, .x_label = "time (s)", .panels = {}, .panel_height = 180.0};
+    const auto panel = [&](const char* label, std::vector<double> Body::*values) {
+        io::ChartPanel& added = chart.panels.emplace_back();
+        added.y_label = label;
+        for (const Body& body : bodies) {
+            io::ChartLine& line = added.lines.emplace_back();
+            if (bodies.size() > 1) line.label = "block " + std::to_string(body.number);
+            line.x = body.time;
+            line.y = body.*values;
+            line.color = static_cast<std::size_t>(body.number) - 1;
+        }
+    };
+    panel("z of the centre (m)", &Body::height);
+    panel("angle (°)", &Body::angle);
+    panel("fastest point (m/s)", &Body::fastest);
+    return io::draw_chart(chart, context.provenance);
+}
+
+std::string energy_split_chart(const EnergySplit& split, const StageContext& context) {
+    io::ChartPanel panel;
+    panel.y_label =
+        context.scene.dimension == 2 ? "change since the start (J per m)" : "change since the start (J)";
+    const auto line = [&](const char* label, const std::vector<double>& values, std::size_t color) {
+        panel.lines.push_back({.label = label, .x = split.time, .y = values, .color = color});
+    };
+    line(context.scene.has("ice") ? "water and ice" : "water", split.water, 0);
+    line("block", split.block, 1);
+    line("lost", split.lost, 2);
+    if (std::ranges::any_of(split.brought, [](double value) { return value != 0.0; }))
+        line("brought through the boundaries", split.brought, 3);
+    return io::draw_chart(
+        {.title = context.scene.title, .x_label = "time (s)", .panels = {panel}, .panel_height = 360.0},
+        context.provenance);
+}
+
+std::string first_wave_chart(const Tsunami& tsunami, const StageContext& context) {
+    io::ChartPanel amplitude{.title = {}, .y_label = "amplitude / greatest", .lines = {}, .marks = {}};
+    io::ChartPanel position{.title = {}, .y_label = "distance run (m)", .lines = {}, .marks = {}};
+    double latest = 0.0;
+    for (const WaveWay& way : tsunami.ways) {
+        const analysis::FirstWave& wave = way.wave;
+        if (wave.track.empty()) continue;
+        io::ChartLine line{.label = {}, .x = {}, .y = {}, .color = amplitude.lines.size(), .dots = true};
+        line.label = std::string("to the ") + (way.to_the_right() ? "right" : "left") + ", at most " +
+                     io::format_fixed(wave.greatest.amplitude, 4) + " m";
+        for (const auto& crest : wave.track) line.x.push_back(crest.time - wave.greatest.time);
+        io::ChartLine run = line;
+        for (const auto& crest : wave.track) {
+            line.y.push_back(crest.amplitude / wave.greatest.amplitude);
+            run.y.push_back(crest.distance - wave.greatest.distance);
+        }
+        latest = std::max(latest, line.x.back());
+        amplitude.lines.push_back(line);
+        position.lines.push_back(run);
+    }
+    const double speed = tsunami.long_wave_celerity;
+    position.lines.push_back({.label = "√(gD) t, √(gD) = " + io::format_fixed(speed, 2) + " m/s",
+                              .x = {0.0, latest},
+                              .y = {0.0, latest * speed},
+                              .color = 3,
+                              .dashed = true});
+    return io::draw_chart({.title = context.scene.title,
+                           .x_label = "time since the greatest amplitude (s)",
+                           .panels = {amplitude, position},
+                           .width = 760.0,
+                           .panel_height = 280.0},
+                          context.provenance);
+}
+
 }  // namespace tidewater::postprocess

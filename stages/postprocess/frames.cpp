@@ -12,6 +12,7 @@
 #include "io/axis.h"
 #include "io/collection.h"
 #include "io/picture.h"
+#include "io/slides.h"
 #include "io/snapshot.h"
 #include "io/text.h"
 
@@ -55,7 +56,8 @@ double fast_water(const io::Snapshot& snapshot) {
 
 io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) {
     io::PictureSettings settings{.dimension = scene.dimension,
-                                 .size = make_tank(scene).size,
+                                 .low = {},
+                                 .high = make_tank(scene).size,
                                  .particle_spacing = scene.domain.cell_size / scene.particles.per_axis,
                                  .still_level = scene.water.depth,
                                  .greatest_speed = scene.postprocess.picture_speed,
@@ -67,6 +69,10 @@ io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) 
     if (settings.greatest_speed == 0.0) settings.greatest_speed = fastest > 0.0 ? io::round_up(fastest) : 1.0;
     for (const auto* gauges : {&scene.simulate.gauges, &scene.postprocess.gauges}) {
         for (const auto& place : gauge_places(*gauges, scene)) settings.gauges.push_back({place.x, place.y});
+    }
+    if (const auto& window = scene.postprocess.picture_window; !window.empty()) {
+        settings.low = {window[0], 0.0, window[1]};
+        settings.high = {window[2], 0.0, window[3]};
     }
     if (scene.has("bed")) {
         const geometry::Profile bed = bed_profile(scene);
@@ -91,15 +97,18 @@ void draw_pictures(const StageContext& context, const Frames& frames, const std:
                    double fastest, Progress& progress) {
     io::PictureSettings settings = picture_settings(context.scene, fastest);
     const int decimals = time_decimals(frames.times);
+    std::vector<io::Slide> slides;
     for (const std::size_t frame : chosen) {
         const io::Snapshot snapshot = read_frame(frames.files[frame], context.scene);
         settings.time = snapshot.time;
         const io::Canvas canvas = io::draw_picture(
             {snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage}, settings);
         const std::string name = "frame_t=" + io::format_fixed(snapshot.time, decimals) + ".png";
-        canvas.write_png(context.folder / name, context.provenance);
+        slides.push_back({snapshot.time, context.folder / name});
+        canvas.write_png(slides.back().picture, context.provenance);
         progress.update(0.99, name);
     }
+    io::write_slides(context.folder / "frames.html", context.scene.title, slides, context.provenance);
 }
 
 }  // namespace
@@ -126,12 +135,38 @@ std::vector<std::size_t> choose_frames(const std::vector<double>& times, const s
     return chosen;
 }
 
-std::vector<GaugeRecord> process_frames(const StageContext& context, const Frames& frames) {
+std::vector<std::size_t> choose_pictures(const std::vector<double>& times, const scene::Scene& scene) {
+    const double interval = scene.postprocess.picture_interval;
+    std::vector<double> wanted = scene.postprocess.picture_times;
+    if (interval > 0.0 && !times.empty()) {
+        wanted.clear();
+        const double end = times.back() + 0.5 * interval;
+        for (int i = 0; i * interval < end && wanted.size() < times.size(); ++i)
+            wanted.push_back(i * interval);
+    }
+    return choose_frames(times, wanted, default_picture_count);
+}
+
+void check_picture_window(const scene::Scene& scene) {
+    const auto& window = scene.postprocess.picture_window;
+    if (window.empty()) return;
+    const std::string key = "postprocess.picture_window: ";
+    if (scene.dimension == 3) throw SceneError(key + "there is none in 3D; leave it out");
+    const auto high = make_tank(scene).size;
+    const bool in_order = window.size() == 4 && window[0] < window[2] && window[1] < window[3] &&
+                          window[2] <= high[0] && window[3] <= high[2];
+    if (!in_order) {
+        throw SceneError(key + "needs x0, z0, x1, z1 of a part of the tank, as [0, 0, " +
+                         io::format_number(high[0]) + ", " + io::format_number(high[2]) + "]");
+    }
+}
+
+FromFrames process_frames(const StageContext& context, const Frames& frames) {
     const scene::Scene& scene = context.scene;
-    const auto chosen = choose_frames(frames.times, scene.postprocess.picture_times, default_picture_count);
-    std::vector<GaugeRecord> records;
+    const auto chosen = choose_pictures(frames.times, scene);
+    FromFrames read{{}, start_profiles(scene)};
     for (const auto& gauge : scene.postprocess.gauges)
-        records.push_back({gauge_name(gauge), "snapshots", frames.times, {}});
+        read.gauges.push_back({gauge_name(gauge), "snapshots", frames.times, {}});
     std::vector<io::CollectionEntry> collection;
     double fastest = 0.0;
 
@@ -141,7 +176,9 @@ std::vector<GaugeRecord> process_frames(const StageContext& context, const Frame
         collection.push_back({io::particles_name(frame), snapshot.time});
         io::write_particles(context.folder / collection.back().name, snapshot, context.provenance);
         const auto elevations = read_gauges(snapshot, scene);
-        for (std::size_t i = 0; i < records.size(); ++i) records[i].elevation.push_back(elevations[i]);
+        for (std::size_t i = 0; i < read.gauges.size(); ++i)
+            read.gauges[i].elevation.push_back(elevations[i]);
+        append_profile(snapshot, scene, read.profiles);
         if (std::ranges::binary_search(chosen, frame)) fastest = std::max(fastest, fast_water(snapshot));
         progress.update(0.95 * static_cast<double>(frame + 1) / static_cast<double>(frames.files.size()),
                         "t = " + io::format_fixed(snapshot.time, 2) + " s");
@@ -149,7 +186,7 @@ std::vector<GaugeRecord> process_frames(const StageContext& context, const Frame
     io::write_collection(context.folder / "particles.pvd", collection, context.provenance);
     draw_pictures(context, frames, chosen, fastest, progress);
     progress.update(1.0);
-    return records;
+    return read;
 }
 
 }  // namespace tidewater::postprocess

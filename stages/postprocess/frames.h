@@ -1,4 +1,5 @@
-// What is made from the snapshots, one frame in memory at a time: the ParaView collection, gauges, pictures.
+// What is made from the snapshots, one frame in memory at a time: the ParaView collection, gauges, profiles
+// of the surface, pictures and the page that shows them.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,7 @@
 
 #include "common/stage.h"
 #include "gauges.h"
+#include "profiles.h"
 
 namespace tidewater::postprocess {
 
@@ -23,8 +25,19 @@ Frames find_frames(const std::filesystem::path& folder);
 std::vector<std::size_t> choose_frames(const std::vector<double>& times, const std::vector<double>& wanted,
                                        std::size_t count);
 
-// Writes particles_NNNN.vtp of every frame, particles.pvd and frame_t=<time>.png of the chosen frames, and
-// reads postprocess.gauges from every frame. Progress goes to standard error.
-std::vector<GaugeRecord> process_frames(const StageContext& context, const Frames& frames);
+// The frames to draw, by postprocess.picture_interval or picture_times.
+std::vector<std::size_t> choose_pictures(const std::vector<double>& times, const scene::Scene& scene);
+
+// Throws SceneError if postprocess.picture_window is no part of the scene's tank, or the scene is in 3D.
+void check_picture_window(const scene::Scene& scene);
+
+struct FromFrames {
+    std::vector<GaugeRecord> gauges;  // postprocess.gauges
+    SurfaceProfiles profiles;         // empty unless the scene makes a first wave
+};
+
+// Writes particles_NNNN.vtp of every frame, particles.pvd, frame_t=<time>.png of the chosen frames and
+// frames.html with them, and reads gauges and profiles from every frame. Progress goes to standard error.
+FromFrames process_frames(const StageContext& context, const Frames& frames);
 
 }  // namespace tidewater::postprocess

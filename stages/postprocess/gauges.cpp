@@ -24,11 +24,15 @@ const scene::Scene::Block& wave_maker(const scene::Scene& scene) {
     });
 }
 
+// There the block's wave runs to the left.
+bool is_left_of_block(const scene::Scene& scene, double x) {
+    return scene.has("rigid") && x < wave_maker(scene).center.front();
+}
+
 analysis::WaveSettings wave_settings(const scene::Scene& scene, double x) {
-    const bool left_of_block = scene.has("rigid") && x < wave_maker(scene).center.front();
     return {.depth = scene.water.depth,
             .gravity = scene.domain.gravity,
-            .far_wall = left_of_block ? 0.0 : scene.domain.size.front(),
+            .far_wall = is_left_of_block(scene, x) ? 0.0 : scene.domain.size.front(),
             .arrival_threshold = scene.postprocess.arrival_threshold,
             .smallest_amplitude = smallest_amplitude * scene.domain.cell_size};
 }
@@ -112,9 +116,15 @@ Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
     }
     waves.to_next = analysis::celerity_between(waves.gauges);
     for (std::size_t i = 0; i < waves.to_next.size(); ++i) {
-        if (waves.records[i].place.y != waves.records[i + 1].place.y) waves.to_next[i] = {};
+        const bool same_row = waves.records[i].place.y == waves.records[i + 1].place.y;
+        const bool same_wave =
+            is_left_of_block(scene, waves.gauges[i].x) == is_left_of_block(scene, waves.gauges[i + 1].x);
+        if (!same_row || !same_wave) waves.to_next[i] = {};
     }
-    waves.overall = analysis::celerity_overall(waves.gauges);
+    std::vector<analysis::GaugeWave> of_the_wave_to_the_right = waves.gauges;
+    std::erase_if(of_the_wave_to_the_right,
+                  [&](const analysis::GaugeWave& gauge) { return is_left_of_block(scene, gauge.x); });
+    waves.overall = analysis::celerity_overall(of_the_wave_to_the_right);
     if (waves_run)
         waves.long_wave_celerity = analysis::long_wave_celerity(scene.water.depth, scene.domain.gravity);
     return waves;

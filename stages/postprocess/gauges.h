@@ -27,10 +27,11 @@ void write_gauges(const std::filesystem::path& path, const std::vector<GaugeReco
                   const Provenance& provenance);
 
 struct Waves {
-    std::vector<GaugeRecord> records;         // in the order of x; those with a y behind, by y
-    std::vector<analysis::GaugeWave> gauges;  // of each record
-    std::vector<analysis::Celerity> to_next;  // from each gauge to the next, none to one of another y
-    analysis::Celerity overall;
+    std::vector<GaugeRecord> records;            // in the order of x; those with a y behind, by y
+    std::vector<analysis::GaugeWave> gauges;     // of each record
+    std::vector<analysis::Celerity> to_next;     // from each gauge to the next, none to one of another y or
+                                                 // on the other side of the block
+    analysis::Celerity overall;                  // of the gauges to the right of the block
     double long_wave_celerity = analysis::none;  // √(gD), m/s
 };
 

@@ -2,14 +2,17 @@
 // ParaView collection.
 #include <cstdio>
 
+#include "bodies.h"
 #include "charts.h"
 #include "common/stage.h"
 #include "core/files.h"
 #include "earlier.h"
+#include "energy_split.h"
 #include "frames.h"
 #include "gauges.h"
 #include "icebergs.h"
 #include "io/table.h"
+#include "tsunami.h"
 
 namespace tidewater::postprocess {
 namespace {
@@ -23,22 +26,52 @@ void work_on_icebergs(const StageContext& context, const Frames& frames) {
     std::fputs(describe(*icebergs).c_str(), stdout);
 }
 
+// None where no block makes a wave, or, with a line that says so, if simulate was run before it wrote bodies.
+std::vector<Body> read_run_bodies(const StageContext& context) {
+    const auto path = context.run / "simulate" / "bodies.csv";
+    if (!makes_first_wave(context.scene)) return {};
+    if (std::filesystem::exists(path)) {
+        std::vector<Body> bodies = read_bodies(path);
+        slide_of(heaviest(bodies), context.scene);  // so that what is wrong is told before anything is removed
+        return bodies;
+    }
+    std::puts("no bodies.csv, and so nothing of the block's wave; run tidewater-simulate again");
+    return {};
+}
+
+void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodies, const Tsunami& tsunami) {
+    const auto& folder = context.folder;
+    write_text(folder / "bodies.svg", body_chart(bodies, context));
+    write_text(folder / "energy_split.svg", energy_split_chart(tsunami.energy, context));
+    write_text(folder / "first_wave.svg", first_wave_chart(tsunami, context));
+    write_energy_split(folder / "energy_split.csv", tsunami.energy, context.provenance);
+    write_first_wave(folder / "first_wave.csv", tsunami, context.provenance);
+    write_waves_3d(folder / "waves_3d.csv", tsunami, context.provenance);
+    write_tsunami(folder / "tsunami.csv", tsunami, context.provenance);
+    std::fputs(describe(tsunami).c_str(), stdout);
+}
+
 // waves.csv comes last: where it exists, everything else does.
 void work(StageContext& context) {
+    check_picture_window(context.scene);
     const auto simulated = context.run / "simulate";
     const Frames frames = find_frames(simulated);
     require_same_scene(simulated, context.scene);
     std::vector<GaugeRecord> records = read_run_gauges(simulated / "gauges.csv");
     const io::Table ledger = io::read_table(simulated / "ledger.csv");
     const std::string energy = energy_chart(ledger, simulated / "ledger.csv", context);
+    const std::vector<Body> bodies = read_run_bodies(context);
+    const EnergySplit split =
+        bodies.empty() ? EnergySplit{} : split_energy(ledger, simulated / "ledger.csv", bodies);
 
     remove_earlier_results(context.folder);
     write_resolved_scene(context);
-    const auto from_snapshots = process_frames(context, frames);
-    if (!from_snapshots.empty())
-        write_gauges(context.folder / "gauges.csv", from_snapshots, context.provenance);
-    records.insert(records.end(), from_snapshots.begin(), from_snapshots.end());
+    const FromFrames read = process_frames(context, frames);
+    if (!read.gauges.empty()) write_gauges(context.folder / "gauges.csv", read.gauges, context.provenance);
+    records.insert(records.end(), read.gauges.begin(), read.gauges.end());
     work_on_icebergs(context, frames);
+    if (!bodies.empty())
+        work_on_tsunami(context, bodies, find_tsunami(bodies, read.profiles, split, context.scene));
     const Waves waves = analyse(std::move(records), context.scene);
     write_text(context.folder / "energy.svg", energy);
     write_text(context.folder / "gauges.svg", gauge_chart(waves, context));

@@ -1,10 +1,6 @@
 // tidewater-overhang: the first icebergs of several runs against beam theory. See README.md.
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-
 #include "cases.h"
-#include "core/error.h"
+#include "common/tool.h"
 #include "core/files.h"
 
 namespace tidewater::overhang {
@@ -21,15 +17,7 @@ bool parse(int argc, const char* const* argv, Options& options) {
                  "tidewater-overhang");
     app.add_option("RUN", options.runs, "folders of runs that postprocess has been through")->required();
     app.add_option("--out", options.out, "folder for the results")->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answered) {
-        app.exit(answered);
-        return false;
-    } catch (const CLI::ParseError& error) {
-        throw SceneError(std::string(error.what()) + "; --help lists the options");
-    }
-    return true;
+    return parse_command_line(app, argc, argv);
 }
 
 void run(int argc, const char* const* argv) {
@@ -49,14 +37,5 @@ void run(int argc, const char* const* argv) {
 }  // namespace tidewater::overhang
 
 int main(int argc, char** argv) {
-    try {
-        tidewater::overhang::run(argc, argv);
-        return 0;
-    } catch (const tidewater::Error& error) {
-        std::fprintf(stderr, "tidewater-overhang: %s\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "tidewater-overhang: %s\n", error.what());
-        return 1;
-    }
+    return tidewater::run_tool("tidewater-overhang", argc, argv, &tidewater::overhang::run);
 }

@@ -1,8 +1,7 @@
 // tidewater-point: one point of ice along a path of strain, for calibration. See README.md.
-#include <cstdio>
-#include <exception>
 #include <iostream>
 
+#include "common/tool.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "options.h"
@@ -48,14 +47,5 @@ void run(int argc, const char* const* argv) {
 }  // namespace tidewater::point
 
 int main(int argc, char** argv) {
-    try {
-        tidewater::point::run(argc, argv);
-        return 0;
-    } catch (const tidewater::Error& error) {
-        std::fprintf(stderr, "tidewater-point: %s\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "tidewater-point: unexpected error, please report it: %s\n", error.what());
-        return 1;
-    }
+    return tidewater::run_tool("tidewater-point", argc, argv, &tidewater::point::run);
 }

@@ -1,9 +1,9 @@
 #include "options.h"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <map>
 
+#include "common/tool.h"
 #include "core/error.h"
 #include "core/provenance.h"
 #include "scene/scene.h"
@@ -166,14 +166,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     app.add_option("--out", words.out, "where the results go: PREFIX.csv and PREFIX.svg")
         ->type_name("PREFIX")
         ->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answered) {
-        app.exit(answered);
-        return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw SceneError(std::string(error.what()) + "; --help lists the options");
-    }
+    if (!parse_command_line(app, argc, argv)) return std::nullopt;
     return make_options(words);
 }
 

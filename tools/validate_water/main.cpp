@@ -1,9 +1,7 @@
 // tidewater-validate-water: the water's validation scenes against their references. See README.md.
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 
-#include "core/error.h"
+#include "common/tool.h"
 #include "core/files.h"
 #include "report.h"
 
@@ -24,15 +22,7 @@ bool parse(int argc, const char* const* argv, Options& options) {
     app.add_option("RUN", options.runs, "folders of runs that simulate has been through")->required();
     app.add_option("--out", options.out, "folder for the results")->capture_default_str();
     app.add_option("--data", options.data, "folder of the published series")->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& answered) {
-        app.exit(answered);
-        return false;
-    } catch (const CLI::ParseError& error) {
-        throw SceneError(std::string(error.what()) + "; --help lists the options");
-    }
-    return true;
+    return parse_command_line(app, argc, argv);
 }
 
 void run(int argc, const char* const* argv) {
@@ -54,14 +44,5 @@ void run(int argc, const char* const* argv) {
 }  // namespace tidewater::validation
 
 int main(int argc, char** argv) {
-    try {
-        tidewater::validation::run(argc, argv);
-        return 0;
-    } catch (const tidewater::Error& error) {
-        std::fprintf(stderr, "tidewater-validate-water: %s\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "tidewater-validate-water: %s\n", error.what());
-        return 1;
-    }
+    return tidewater::run_tool("tidewater-validate-water", argc, argv, &tidewater::validation::run);
 }

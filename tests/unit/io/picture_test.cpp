@@ -17,7 +17,8 @@ using namespace tidewater::io;
 namespace {
 
 const PictureSettings tank{.dimension = 2,
-                           .size = {4.0, 0.0, 2.0},
+                           .low = {},
+                           .high = {4.0, 0.0, 2.0},
                            .particle_spacing = 0.02,
                            .still_level = 1.0,
                            .greatest_speed = 2.0,
@@ -103,7 +104,7 @@ TEST_CASE("ice is drawn as intact without damage, and by its damage with it") {
 TEST_CASE("in three dimensions particles are seen through no others, and shaded") {
     PictureSettings settings = tank;
     settings.dimension = 3;
-    settings.size = {4.0, 1.0, 2.0};
+    settings.high = {4.0, 1.0, 2.0};
     const Snapshot layer = half_moving_water();
     Snapshot snapshot;
     for (const float y : {0.02f, 0.5f, 0.98f}) {
@@ -164,4 +165,32 @@ TEST_CASE("the PNG reads back pixel by pixel, and repeats byte by byte") {
     CHECK(image->GetScalarComponentAsDouble(2, 18, 0, 0) == 200.0);
     CHECK(image->GetScalarComponentAsDouble(20, 2, 0, 2) == 30.0);
     CHECK_THROWS_AS(canvas.write_png(folder / "no/a.png", test_provenance()), OutputError);
+}
+
+TEST_CASE("a window shows its part of the tank alone, to its own scale") {
+    PictureSettings window = tank;
+    window.low = {2.0, 0.0, 0.5};
+    window.high = {4.0, 0.0, 1.5};
+    const Canvas canvas = draw(half_moving_water(), window);
+    const double frame = 370.0 * 740.0 / (canvas.width() * canvas.height());
+    CHECK(share_of(canvas, scale_color(1.0)) == doctest::Approx(0.5 * frame).epsilon(0.08));
+    CHECK(share_of(canvas, scale_color(0.0)) < 0.02);  // of the colour scale
+    CHECK(share_of(canvas, palette::rigid) < 0.01);    // of the legend
+
+    PictureSettings air = tank;
+    air.low = {2.0, 0.0, 1.2};
+    CHECK(share_of(draw(half_moving_water(), air), scale_color(1.0)) < 0.02);
+}
+
+TEST_CASE("the ground is drawn within the window alone") {
+    PictureSettings settings = tank;
+    settings.ground_x = {0.0, 4.0};
+    settings.ground_z = {1.2, 1.2};
+    settings.low = {1.0, 0.0, 1.0};
+    settings.high = {3.0, 0.0, 2.0};
+    const Canvas canvas = draw(Snapshot{}, settings);
+    const double frame = 370.0 * 740.0 / (canvas.width() * canvas.height());
+    CHECK(share_of(canvas, palette::ground) == doctest::Approx(0.2 * frame).epsilon(0.1));
+    settings.low[2] = 1.5;
+    CHECK(share_of(draw(Snapshot{}, settings), palette::ground) == 0.0);
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string>
 
 using namespace tidewater::io;
 
@@ -29,4 +30,14 @@ TEST_CASE("only a whole number is a number") {
 
 TEST_CASE("XML's own letters are replaced") {
     CHECK(escape_xml("a < b & \"c\" > 'd' η") == "a &lt; b &amp; &quot;c&quot; &gt; &apos;d&apos; η");
+}
+
+TEST_CASE("base64 is that of RFC 4648") {
+    CHECK(encode_base64("").empty());
+    CHECK(encode_base64("f") == "Zg==");
+    CHECK(encode_base64("fo") == "Zm8=");
+    CHECK(encode_base64("foo") == "Zm9v");
+    CHECK(encode_base64("foobar") == "Zm9vYmFy");
+    CHECK(encode_base64("\xff\xfe\xfb") == "//77");
+    CHECK(encode_base64(std::string("\0\0\0", 3)) == "AAAA");
 }

@@ -1,0 +1,24 @@
+// A page that shows a run's pictures one after the other: a slider, a play button and the time. The pictures
+// are in the page itself, which opens without a network or other files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/provenance.h"
+
+namespace tidewater::io {
+
+struct Slide {
+    double time = 0.0;              // s
+    std::filesystem::path picture;  // PNG
+};
+
+// Replaces path as a whole by HTML with the provenance in a comment. Played, it takes as long as the time
+// from the first slide to the last, but at least 2 s and at most 0.5 s a slide. The title may be any UTF-8.
+// Throws InputError if a picture cannot be read, OutputError.
+void write_slides(const std::filesystem::path& path, const std::string& title,
+                  const std::vector<Slide>& slides, const Provenance& provenance);
+
+}  // namespace tidewater::io

@@ -1,0 +1,248 @@
+#include "tsunami.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "analysis/wave.h"
+#include "io/table.h"
+#include "io/text.h"
+
+namespace tidewater::postprocess {
+namespace {
+
+constexpr const char* outside = "outside the validated range";
+
+std::vector<WaveWay> ways_out(int number, const scene::Scene& scene) {
+    const BlockShape block = shape_of(number, scene);
+    const double angle = block.angle * std::numbers::pi / 180.0, length = scene.domain.size.front();
+    const double reach = 0.5 * (std::abs(std::cos(angle)) * block.size.front() +
+                                std::abs(std::sin(angle)) * block.size.back());
+    const double left = block.center.front() - reach, right = length - block.center.front() - reach;
+    if (left <= scene.domain.cell_size) return {{.source = 0.0, .wall = length, .wave = {}}};
+    if (right <= scene.domain.cell_size) return {{.source = length, .wall = 0.0, .wave = {}}};
+    return {{.source = block.center.front(), .wall = length, .wave = {}},
+            {.source = block.center.front(), .wall = 0.0, .wave = {}}};
+}
+
+double linear_celerity(const analysis::FirstWave& wave, const analysis::Slide& slide) {
+    if (std::isnan(wave.celerity)) return analysis::none;
+    const auto distance = [&](double time) {
+        return analysis::linear_crest_distance(slide.depth, slide.gravity, time);
+    };
+    const double end = wave.track.back().time;
+    return (distance(end) - distance(wave.formed)) / (end - wave.formed);
+}
+
+double error_percent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
+
+std::string fixed(double value, int decimals) { return io::format_fixed(value, decimals); }
+
+// "F and P"; empty if all are within the range.
+std::string what_is_outside(const analysis::ImpulseProduct& impulse) {
+    std::vector<std::string> names;
+    if (!impulse.froude_is_valid) names.push_back("F");
+    if (!impulse.thickness_is_valid) names.push_back("S");
+    if (!impulse.mass_is_valid) names.push_back("M");
+    if (!impulse.value_is_valid) names.push_back("P");
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+std::string describe_slide(const Tsunami& t) {
+    const std::string unit = t.dimension == 2 ? " kg per m" : " kg";
+    std::string text = "block: " + fixed(t.block.mass, 1) + unit + ", its fastest point " +
+                       fixed(t.slide.speed, 3) + " m/s at " + fixed(t.speed_time, 2) + " s";
+    if (t.block_count > 1) {
+        text += " (number " + std::to_string(t.block.number) + ", the heaviest of " +
+                std::to_string(t.block_count) + ")";
+    }
+    const std::string names = what_is_outside(t.impulse);
+    text += "\nF = " + fixed(t.slide.froude(), 3) + ", S = " + fixed(t.slide.thickness_ratio(), 3) +
+            ", M = " + fixed(t.slide.mass_ratio(), 3) + "; impulse product P = " + fixed(t.impulse.value, 3);
+    return text + (names.empty() ? "" : " (" + names + " " + outside + ")") + "\n";
+}
+
+std::string describe_way(const WaveWay& way, double reference) {
+    const std::string name =
+        std::string("first wave to the ") + (way.to_the_right() ? "right" : "left") + ": ";
+    const analysis::FirstWave& wave = way.wave;
+    if (wave.track.empty()) return name + "none was found\n";
+    std::string text = name + "at most " + fixed(wave.greatest.amplitude, 4) + " m, at " +
+                       fixed(wave.greatest.time, 2) + " s, " + fixed(wave.greatest.distance, 2) +
+                       " m from x = " + fixed(way.source, 2) + " m; ";
+    if (std::isnan(wave.celerity)) return text + "its celerity is not known, it ran too short a way\n";
+    const double error = error_percent(wave.celerity, reference);
+    return text + "from " + fixed(wave.formed, 2) + " s on " + fixed(wave.celerity, 3) + " m/s, " +
+           (error < 0.0 ? "" : "+") + fixed(error, 1) + " % of sqrt(g D) = " + fixed(reference, 3) +
+           " m/s (a linear wave, which disperses: " + fixed(way.linear_celerity, 3) + ")\n";
+}
+
+std::string describe_in_3d(const Tsunami& t, double amplitude) {
+    std::string text = "in 3D (+-50 %), of " + fixed(amplitude, 4) + " m:";
+    for (const double ratio : analysis::laboratory_distances) {
+        text += (ratio == analysis::laboratory_distances.front() ? " " : ", ") +
+                fixed(analysis::radial_factor(t.slide, ratio) * amplitude, 4) +
+                " m at r/D = " + fixed(ratio, 0);
+    }
+    text += "\nby the impulse product: height " +
+            fixed(t.impulse.height(analysis::laboratory_distances.front()), 4) +
+            " m in 2D at x/D = " + fixed(analysis::laboratory_distances.front(), 0);
+    return text + (t.impulse.is_valid() ? "" : std::string(", ") + outside) + "\n";
+}
+
+std::string describe_energy(const EnergySplit& energy, int dimension) {
+    if (energy.time.empty()) return {};
+    const std::string unit = dimension == 2 ? " J per m" : " J";
+    return "energy at " + fixed(energy.time.back(), 2) + " s: block " + fixed(energy.block.back(), 1) + unit +
+           ", water " + fixed(energy.water.back(), 1) + ", lost " + fixed(energy.lost.back(), 1) +
+           "; the total's greatest rise above its start " + fixed(energy.greatest_rise(), 2) + unit + "\n";
+}
+
+}  // namespace
+
+const WaveWay* Tsunami::higher_way() const {
+    const WaveWay* higher = nullptr;
+    for (const WaveWay& way : ways) {
+        if (way.wave.track.empty()) continue;
+        if (!higher || way.wave.greatest.amplitude > higher->wave.greatest.amplitude) higher = &way;
+    }
+    return higher;
+}
+
+Tsunami find_tsunami(const std::vector<Body>& bodies, const SurfaceProfiles& profiles, EnergySplit energy,
+                     const scene::Scene& scene) {
+    Tsunami t{.block = heaviest(bodies),
+              .block_count = bodies.size(),
+              .slide = {},
+              .impulse = {},
+              .ways = {},
+              .energy = std::move(energy),
+              .dimension = scene.dimension};
+    t.slide = slide_of(t.block, scene);
+    t.impulse = analysis::impulse_product(t.slide);
+    const auto fastest = std::ranges::max_element(t.block.fastest) - t.block.fastest.begin();
+    t.speed_time = t.block.time[static_cast<std::size_t>(fastest)];
+    t.long_wave_celerity = analysis::long_wave_celerity(scene.water.depth, scene.domain.gravity);
+    t.ways = ways_out(t.block.number, scene);
+    for (WaveWay& way : t.ways) {
+        way.wave = analysis::follow_first_wave(profiles.x, profiles.of_time,
+                                               {.depth = scene.water.depth,
+                                                .gravity = scene.domain.gravity,
+                                                .cell_size = scene.domain.cell_size,
+                                                .source = way.source,
+                                                .wall = way.wall});
+        way.linear_celerity = linear_celerity(way.wave, t.slide);
+    }
+    return t;
+}
+
+void write_first_wave(const std::filesystem::path& path, const Tsunami& tsunami,
+                      const Provenance& provenance) {
+    io::TableWriter table(
+        path, provenance,
+        {"time", "x", "distance", "amplitude", "amplitude_ratio", "time_from_greatest", "direction"});
+    for (const WaveWay& way : tsunami.ways) {
+        const analysis::CrestPoint& greatest = way.wave.greatest;
+        for (const analysis::CrestPoint& crest : way.wave.track) {
+            table.append(std::array{crest.time, crest.x, crest.distance, crest.amplitude,
+                                    crest.amplitude / greatest.amplitude, crest.time - greatest.time,
+                                    way.to_the_right() ? 1.0 : -1.0});
+        }
+    }
+    table.finish();
+}
+
+void write_waves_3d(const std::filesystem::path& path, const Tsunami& tsunami, const Provenance& provenance) {
+    io::TableWriter table(
+        path, provenance,
+        {"distance_ratio", "factor", "amplitude_2d", "amplitude_3d_low", "amplitude_3d", "amplitude_3d_high",
+         "amplitude_2d_here", "amplitude_3d_of_here", "impulse_height", "impulse_range"});
+    const WaveWay* way = tsunami.higher_way();
+    const double greatest = way ? way->wave.greatest.amplitude : analysis::none;
+    for (const double ratio : analysis::laboratory_distances) {
+        const double factor = analysis::radial_factor(tsunami.slide, ratio), middle = factor * greatest;
+        const double here =
+            way ? analysis::amplitude_at(way->wave, ratio * tsunami.slide.depth) : analysis::none;
+        std::vector<std::string> cells;
+        for (const double value :
+             {ratio, factor, greatest, (1.0 - analysis::radial_scatter) * middle, middle,
+              (1.0 + analysis::radial_scatter) * middle, here, factor * here, tsunami.impulse.height(ratio)})
+            cells.push_back(io::format_number(value));
+        cells.push_back(tsunami.impulse.is_valid() ? "validated" : outside);
+        table.append_cells(cells);
+    }
+    table.finish();
+}
+
+void write_tsunami(const std::filesystem::path& path, const Tsunami& tsunami, const Provenance& provenance) {
+    io::TableWriter table(path, provenance,
+                          {"block",
+                           "mass",
+                           "speed",
+                           "speed_time",
+                           "F",
+                           "S",
+                           "M",
+                           "P",
+                           "impulse_amplitude",
+                           "direction",
+                           "amplitude",
+                           "amplitude_time",
+                           "amplitude_x",
+                           "amplitude_distance",
+                           "celerity",
+                           "celerity_from",
+                           "long_wave_celerity",
+                           "error_percent",
+                           "linear_celerity",
+                           "block_energy",
+                           "water_energy",
+                           "lost_energy",
+                           "greatest_rise"});
+    const WaveWay* way = tsunami.higher_way();
+    const analysis::FirstWave wave = way ? way->wave : analysis::FirstWave{};
+    const double reference = tsunami.long_wave_celerity;
+    const EnergySplit& energy = tsunami.energy;
+    const auto last = [](const std::vector<double>& values) {
+        return values.empty() ? analysis::none : values.back();
+    };
+    table.append(std::array{static_cast<double>(tsunami.block.number),
+                            tsunami.block.mass,
+                            tsunami.slide.speed,
+                            tsunami.speed_time,
+                            tsunami.slide.froude(),
+                            tsunami.slide.thickness_ratio(),
+                            tsunami.slide.mass_ratio(),
+                            tsunami.impulse.value,
+                            tsunami.impulse.amplitude,
+                            way ? (way->to_the_right() ? 1.0 : -1.0) : analysis::none,
+                            wave.greatest.amplitude,
+                            wave.greatest.time,
+                            wave.greatest.x,
+                            wave.greatest.distance,
+                            wave.celerity,
+                            wave.formed,
+                            reference,
+                            error_percent(wave.celerity, reference),
+                            way ? way->linear_celerity : analysis::none,
+                            last(energy.block),
+                            last(energy.water),
+                            last(energy.lost),
+                            energy.greatest_rise()});
+    table.finish();
+}
+
+std::string describe(const Tsunami& tsunami) {
+    std::string text = describe_slide(tsunami);
+    for (const WaveWay& way : tsunami.ways) text += describe_way(way, tsunami.long_wave_celerity);
+    if (const WaveWay* way = tsunami.higher_way())
+        text += describe_in_3d(tsunami, way->wave.greatest.amplitude);
+    return text + describe_energy(tsunami.energy, tsunami.dimension);
+}
+
+}  // namespace tidewater::postprocess
