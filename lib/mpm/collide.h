@@ -12,7 +12,9 @@
 //
 // Walls are met by corners, the bed and other bodies by points on the surface one cell apart; between two
 // bodies the points of each against the faces of the other. What went too deep by the curvature of a turn is
-// pushed back by greatest_correction at most in a step. Test: tests/unit/mpm/collide_test.cpp.
+// pushed back by greatest_correction at most in a step; that moves bodies but not their velocities, so it is
+// the one thing that changes angular momentum, by the way times the momentum. Test:
+// tests/unit/mpm/collide_test.cpp.
 #pragma once
 
 #include "mpm/boundary.h"

@@ -131,6 +131,7 @@ void move_particles(Simulation<D, Real>& s, double next_dt) {
     }
     if (all.unusable || !(all.least_j > -1.0)) fail_at_bad_particle(s);
     update_sound(s, all.least_j);
+    if (s.settling.going) return;
     for (RigidBody& body : s.rigid) move_rigid_body(s.dt, body);  // the pass knew where they were
 }
 
