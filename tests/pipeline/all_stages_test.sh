@@ -122,7 +122,7 @@ expect_line "tidewater-simulate: step "
 expect_no_file broken/simulate/ledger.csv
 # The curves so far tell what went wrong.
 expect_same "$(find broken -name '*.part' | sort | tr '\n' ' ')" \
-    "broken/simulate/gauges.csv.part broken/simulate/ledger.csv.part "
+    "broken/simulate/bodies.csv.part broken/simulate/gauges.csv.part broken/simulate/ledger.csv.part "
 
 for name in geometry simulate postprocess; do
     case_named "$name on a full disk ends with 5 and nothing broken under a final name"

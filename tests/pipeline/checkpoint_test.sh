@@ -164,9 +164,9 @@ truncate --size=-100 "$checkpoint"
 refuses "$checkpoint: it is truncated or no HDF5 file; --from start begins the run anew"
 cp stopped/simulate/frame_0000.hdf "$checkpoint"
 refuses "$checkpoint: it is an HDF5 file but no tidewater checkpoint; --from start begins the run anew"
-stopped_run format_version 5
-refuses "$checkpoint: its format version 5 is newer than this program's 4; --from start begins the run anew"
-for array in particle_blocks body0.begin body1.begin; do
+stopped_run format_version 6
+refuses "$checkpoint: its format version 6 is newer than this program's 5; --from start begins the run anew"
+for array in particle_blocks body0.begin; do
     stopped_run "/state/$array" 5
     refuses "$checkpoint: its arrays do not fit each other"
 done

@@ -49,7 +49,7 @@ TEST_CASE("one block under a double header is one block") {
     CHECK(read_text_as_scene(text, {"block.1.angle=5"}).blocks[0].angle == 5.0);
 }
 
-TEST_CASE("a setting without a number is every block's, with one that block's; the last counts") {
+TEST_CASE("a setting without a number is every block's, with one that block's, and the last counts") {
     const Scene scene = read_text_as_scene(two_blocks, {"block.density=800", "block.2.angle=10"});
     CHECK(scene.blocks[0].density == 800.0);
     CHECK(scene.blocks[1].density == 800.0);
