@@ -6,7 +6,7 @@
 //           C_p     = (4/Δx²) Σ_i w_ip v_i (x_i − x_p)ᵀ
 //
 // Linear and angular momentum are conserved for any particle positions, with a particle's angular momentum
-// being m (x × v) + m (Δx²/4) ε:Cᵀ. This is the plain form, for rigid bodies and for looking at a state; the
+// being m (x × v) + m (Δx²/4) ε:Cᵀ. This is the plain form, for starts and for looking at a state; the
 // steps of water and ice go through mpm/transfer_batch.h. Sources: Jiang et al. (2015) for APIC, Hu et al.
 // (2018) for MLS-MPM; shared/physics.md §1. Test: tests/unit/mpm/transfer_test.cpp.
 #pragma once
