@@ -117,6 +117,9 @@ Track follow(double until, mpm::Simulation<2, Real>& s) {
     }
 }
 
+// Relative; doctest::Approx adds 1 to the greater of both and so says nothing of small figures.
+inline double off(double measured, double reference) { return measured / reference - 1.0; }
+
 // A value of the track at a time, by linear interpolation.
 inline double value_at(const Track& track, const std::vector<double>& values, double time) {
     const auto after = std::ranges::upper_bound(track.time, time);
