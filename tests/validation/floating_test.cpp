@@ -55,7 +55,7 @@ TEST_CASE("a floating block has the draft of Archimedes") {
     CHECK(std::abs(test::off(draft, 0.46)) < 0.01);
     CHECK(std::abs(track.angle.back()) < 1.0);
     check_energy(track);
-    // Aim: half a cell. One or two particles at an edge come closer.
+    // Aim: half a cell. At most two particles at once pass it, at one look in twenty.
     CHECK(track.deepest < 0.8);
 }
 
