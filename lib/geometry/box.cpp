@@ -2,40 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "geometry/polygon.h"
 
 namespace tidewater::geometry {
-namespace {
 
 using Corner = Vector<2, double>;  // (x, z)
-
-// Keeps the part of the polygon where side · axis coordinate ≤ limit.
-std::vector<Corner> clip(const std::vector<Corner>& polygon, int axis, double side, double limit) {
-    std::vector<Corner> kept;
-    for (std::size_t n = 0; n < polygon.size(); ++n) {
-        const Corner& from = polygon[n];
-        const Corner& to = polygon[(n + 1) % polygon.size()];
-        const double from_beyond = side * from[axis] - limit;
-        const double to_beyond = side * to[axis] - limit;
-        if (from_beyond <= 0.0) kept.push_back(from);
-        if ((from_beyond < 0.0) != (to_beyond < 0.0) && from_beyond != to_beyond) {
-            kept.push_back(from + (to - from) * (from_beyond / (from_beyond - to_beyond)));
-        }
-    }
-    return kept;
-}
-
-double polygon_area(const std::vector<Corner>& polygon) {
-    double twice = 0.0;
-    for (std::size_t n = 0; n < polygon.size(); ++n) {
-        const Corner& a = polygon[n];
-        const Corner& b = polygon[(n + 1) % polygon.size()];
-        twice += a[0] * b[1] - a[1] * b[0];
-    }
-    return 0.5 * std::abs(twice);
-}
-
-}  // namespace
 
 double signed_distance(const Box& box, const Point& point) {
     const Point from = point - box.center;
@@ -47,13 +19,13 @@ double signed_distance(const Box& box, const Point& point) {
 
 double shared_area(const Box& turned, const Box& upright) {
     const auto all = corners(turned);
-    std::vector<Corner> polygon(all.begin(), all.end());
+    Polygon polygon(all.begin(), all.end());
     for (const int axis : {0, 1}) {
         const int axis3 = 2 * axis;
-        polygon = clip(polygon, axis, 1.0, upright.center[axis3] + upright.half_size[axis3]);
-        polygon = clip(polygon, axis, -1.0, upright.half_size[axis3] - upright.center[axis3]);
+        polygon = clipped(polygon, axis, 1.0, upright.center[axis3] + upright.half_size[axis3]);
+        polygon = clipped(polygon, axis, -1.0, upright.half_size[axis3] - upright.center[axis3]);
     }
-    return polygon.empty() ? 0.0 : polygon_area(polygon);
+    return area(polygon);
 }
 
 std::array<Vector<2, double>, 4> corners(const Box& box) {
@@ -92,7 +64,7 @@ double separation(const Box& a, const Box& b) {
 
 double area_below(const Box& box, double z) {
     const auto all = corners(box);
-    return polygon_area(clip({all.begin(), all.end()}, 1, 1.0, z));
+    return area_below(Polygon(all.begin(), all.end()), z);
 }
 
 double floating_height(const Box& box, double level, double share) {

@@ -42,7 +42,7 @@ struct Limits {
     Limits(const Layout<D>& layout, const Boundaries<D>& boundaries, double time) : of(boundaries) {
         const auto node = [&](double x) { return static_cast<int>(std::floor(x / layout.cell_size + 1e-6)); };
         if (of.shelf.exists()) {
-            shelf_end = node(of.shelf.end);
+            shelf_end = node(of.shelf.end_at(time));
             shelf_top = node(of.shelf.top);
         }
         if (of.push.exists()) {
@@ -88,6 +88,8 @@ void apply_shelf(const Limits<D>& limits, const Index<D>& node, Node<Real>& velo
 }
 
 }  // namespace
+
+double Shelf::end_at(double time) const { return end - retreat * std::max(time, 0.0); }
 
 double Push::velocity(double time) const {
     if (time >= 0.0 && time >= ramp) return speed;

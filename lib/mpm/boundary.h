@@ -21,12 +21,15 @@ template <int D>
 using Walls = std::array<std::array<WallRule, 2>, static_cast<std::size_t>(D)>;
 
 // Ground without friction that fills the box from the left wall to x = end and from the bottom to z = top (in
-// 3D for all y). Its top follows `rule`; its front face always lets go. Edges lie on cell edges.
+// 3D for all y). Its top follows `rule`; its front face always lets go. Edges lie on cell edges. A shelf that
+// retreats draws its front back under what lies on it, cell by cell, and leaves water or nothing behind.
 struct Shelf {
-    double end = 0.0, top = 0.0;  // m; end 0: no shelf
+    double end = 0.0, top = 0.0;  // m, at time 0; end 0: no shelf
     WallRule rule = WallRule::separate;
+    double retreat = 0.0;  // m/s, of the end from time 0 on, towards the left wall
 
     bool exists() const { return end > 0.0; }
+    double end_at(double time) const;  // m
 };
 
 // A plane that starts from the left wall at t = 0 and pushes: nodes behind it and the next before it move

@@ -141,7 +141,7 @@ bool beside_held(const Layout<D>& layout, const Boundaries<D>& boundaries, doubl
         if (far == Mirror::none && node[axis] >= layout.cells[axis] - 1) return true;
     }
     const Shelf& shelf = boundaries.shelf;
-    if (shelf.exists() && node[0] <= cells(shelf.end) && node[D - 1] <= cells(shelf.top)) return true;
+    if (shelf.exists() && node[0] <= cells(shelf.end_at(time)) && node[D - 1] <= cells(shelf.top)) return true;
     if (boundaries.push.exists() && node[0] <= cells(boundaries.push.position(time)) + 1.0) return true;
     if (boundaries.piston.exists() && node[0] <= cells(boundaries.piston.position(time)) + 1.0) return true;
     return beside_bed(layout, boundaries.bed, node);

@@ -58,6 +58,22 @@ std::vector<double> hydrostatic_columns(const Start<D>& start, typename Start<D>
     return j;
 }
 
+// α = −asinh(p0/κ)/ξ of each point; what has no strength left has failed at time 0.
+template <int D, class Real>
+void fill_strength(const Start<D>& start, const typename Start<D>::Body& body,
+                   Particles<D, Real>& particles) {
+    const IceModel& ice = start.parameters.ice;
+    const double intact = ice.initial_alpha(D), share_of_kappa = std::sinh(-ice.hardening * intact);
+    particles.alpha.assign(body.points.size(), static_cast<Real>(intact));
+    particles.failure_time.assign(body.points.size(), std::numeric_limits<Real>::infinity());
+    for (std::size_t p = 0; p < body.strength.size(); ++p) {
+        const double strength = body.strength[p];
+        if (strength >= 1.0) continue;
+        particles.alpha[p] = static_cast<Real>(-std::asinh(strength * share_of_kappa) / ice.hardening);
+        if (strength <= 0.0) particles.failure_time[p] = Real(0);
+    }
+}
+
 // Fills the columns that the material needs, in the order of the points. Returns the least j.
 template <int D, class Real>
 double fill_columns(const Start<D>& start, const typename Start<D>::Body& body, const std::vector<double>& j,
@@ -70,11 +86,7 @@ double fill_columns(const Start<D>& start, const typename Start<D>::Body& body, 
         }
     } else if (particles.material == Material::ice) {
         for (auto& column : particles.strain) column.assign(body.points.size(), Real(0));
-        if (start.parameters.ice.fracture) {
-            particles.alpha.assign(body.points.size(),
-                                   static_cast<Real>(start.parameters.ice.initial_alpha(D)));
-            particles.failure_time.assign(body.points.size(), std::numeric_limits<Real>::infinity());
-        }
+        if (start.parameters.ice.fracture) fill_strength(start, body, particles);
     }
     return least_j;
 }

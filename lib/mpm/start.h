@@ -17,6 +17,8 @@ struct Start {
         double volume = 0.0;                      // of the whole body at rest, m³
         double surface = 0.0;      // water: height of the still surface, from which it starts hydrostatic, m
         std::vector<double> head;  // water: p/ρg that each point starts with, m; empty: depth below surface
+        std::vector<float> strength;  // ice: p0 that each point starts with over that of intact ice, in
+                                      // [0, 1]; empty: 1; 0 has failed
     };
     double cell_size = 0.0;
     Index<D> cells{};

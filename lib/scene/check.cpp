@@ -470,6 +470,7 @@ void check_scene(Reading& reading) {
     check_blocks(reading);
     check_companions(reading);
     check_ice(reading);
+    check_glacier(reading);
     check_shelf(reading);
     check_outlet(reading);
     check_bed(reading);
@@ -488,6 +489,7 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
     if (scene.has("rigid")) {
         for (std::string& warning : block_warnings(scene)) warnings.push_back(std::move(warning));
     }
+    for (std::string& warning : glacier_warnings(scene)) warnings.push_back(std::move(warning));
     if (scene.has("push")) warnings.push_back(push_warning(scene));
     warnings.push_back(cfl_warning(scene));
     warnings.push_back(picture_warning(scene));

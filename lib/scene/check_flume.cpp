@@ -12,7 +12,11 @@ bool check_profile(Reading& reading) {
     const auto& list = reading.scene.bed.profile;
     const auto report = [&](const std::string& problem) { reading.report("bed.profile", problem); };
     const std::size_t before = reading.problems.size();
-    if (list.empty() || list.size() % 2 != 0) {
+    if (list.empty()) {
+        report(
+            "missing; add it under [bed], e.g. profile = [0, 0, 10, 1], or name an elevation model as "
+            "dem.bed");
+    } else if (list.size() % 2 != 0) {
         report("has " + std::to_string(list.size()) +
                " numbers; it takes pairs x0, z0, x1, z1, …, at least one");
     }
@@ -35,13 +39,24 @@ void check_heights(Reading& reading) {
                                           metres(profile.z[i]) + ", outside the tank from 0 m to " +
                                           metres(top) + "; move it or enlarge domain.size");
     }
-    if (!scene.has("ice") || !reading.usable({"ice.size", "ice.corner"})) return;
+    if (scene.has("shelf") && reading.usable({"shelf.length", "shelf.height"})) {
+        const double ground = profile.highest(0.0, scene.shelf.length);
+        if (ground > scene.shelf.height) {
+            reading.report("bed.profile", "rises to " + metres(short_number(ground)) +
+                                              " within the shelf, whose top is at " +
+                                              metres(scene.shelf.height) +
+                                              "; raise shelf.height or lower the bed there");
+        }
+    }
+    if (!scene.has("ice") || !reading.usable({"ice.size", "ice.corner", "ice.base"})) return;
+    if (scene.ice.base == IceBase::bed || !scene.dem.surface.empty() || !scene.ice.profile.empty()) return;
     const double end = scene.ice.corner.front() + scene.ice.size.front();
     const double ground = profile.highest(scene.ice.corner.front(), end);
     if (scene.ice.corner.back() >= ground - 1e-6 * scene.domain.cell_size) return;
     reading.report("ice.corner", "the ice reaches into the bed: its base is at " +
                                      metres(scene.ice.corner.back()) + ", the ground below it rises to " +
-                                     metres(short_number(ground)) + "; raise the ice or lower bed.profile");
+                                     metres(short_number(ground)) +
+                                     "; raise the ice, lower bed.profile, or set ice.base = \"bed\"");
 }
 
 }  // namespace
@@ -49,11 +64,7 @@ void check_heights(Reading& reading) {
 void check_bed(Reading& reading) {
     const Scene& scene = reading.scene;
     if (!reading.usable({"effects"}) || !scene.has("bed")) return;
-    if (scene.has("shelf")) {
-        reading.report("effects",
-                       "names \"bed\" and \"shelf\": both are the ground; make the shelf a part of "
-                       "bed.profile and remove \"shelf\"");
-    }
+    if (scene.has("dem") && !scene.dem.bed.empty()) return;  // the geometry stage knows its heights
     if (!reading.usable({"bed.profile"}) || !check_profile(reading)) return;
     if (reading.usable({"dimension", "domain.size", "domain.cell_size"})) check_heights(reading);
     if (!scene.has("water") || !reading.usable({"domain.size", "water.depth", "water.length"})) return;

@@ -1,6 +1,6 @@
-// The table of keys. Each key of a scene is declared once, in keys.cpp; reading, --set, checks, printing, the
-// stages' parts and the reference are derived from this table. The default of a key is its member's
-// initialiser in scene.h.
+// The table of keys. Each key of a scene is declared once, in keys_<part>.cpp; reading, --set, checks,
+// printing, the stages' parts and the reference are derived from this table. The default of a key is its
+// member's initialiser in scene.h.
 #pragma once
 
 #include <limits>
@@ -57,7 +57,8 @@ using AnyMember = std::variant<Member<double>, Member<int>, Member<std::uint64_t
                                Member<std::vector<double>>, Member<Points>, Member<std::vector<std::string>>,
                                Member<mpm::WallRule>, Member<mpm::PistonMotion>, Member<mpm::Moduli>,
                                Member<mpm::ShearReturn>, Member<mpm::WaterScheme>, Member<mpm::WaterTension>,
-                               Member<mpm::Transfer>, Member<mpm::BodyContact>, Member<Softening>,
+                               Member<mpm::Transfer>, Member<mpm::BodyContact>, Member<IceBase>,
+                               Member<BedShape>, Member<Nodata>, Member<Pattern>, Member<Softening>,
                                Member<HardeningLimit>, Member<Precision>, Member<analysis::WaveKind>>;
 
 // Stages that read a key, as bits.
@@ -80,6 +81,7 @@ struct Key {
     bool only_3d = false;
     unsigned stages = by_all;  // that read it
     bool changes_results = true;
+    bool file = false;  // names a file that the stages read; what it holds counts too
     std::string_view help;
 
     std::string_view section() const;  // "domain"; empty for title, dimension, ...

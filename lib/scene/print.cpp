@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <filesystem>
 
+#include "core/files.h"
 #include "core/hash.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
+#include "scene/text.h"
 
 namespace tidewater::scene {
 namespace {
@@ -22,7 +25,18 @@ std::string stage_names(unsigned stages) {
     return names;
 }
 
+// A file by its name and what it holds, wherever it lies.
+std::string file_line(const Key& key, const Scene& scene) {
+    const std::filesystem::path path =
+        file_part(std::get<Member<std::string>>(key.member).read(scene, 0)).path;
+    std::error_code error;
+    const bool there = std::filesystem::is_regular_file(path, error);
+    return std::string(key.name) + " = " + quoted_text(path.filename().string()) +
+           (there ? "  # holds " + hash_hex(hash_text(read_text(path))) : "") + "\n";
+}
+
 std::string plain_lines(const Key& key, const Scene& scene) {
+    if (key.file) return file_line(key, scene);
     std::string text;
     for (std::size_t item = 0; item < key.count(scene); ++item)
         text += key.name_of(item, scene) + " = " + value_text(key, scene, item) + "\n";

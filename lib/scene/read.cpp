@@ -190,6 +190,23 @@ void fill_velocities(Reading& reading) {
     }
 }
 
+// Files are named from the scene's folder. "NETCDF:file:variable" as GDAL has it.
+void find_files(Reading& reading) {
+    const std::filesystem::path folder = std::filesystem::absolute(reading.file).parent_path();
+    for (const Key& key : all_keys()) {
+        if (!key.file || !reading.places.contains(key.name) || !reading.usable({key.name})) continue;
+        std::string& text = std::get<Member<std::string>>(key.member).write(reading.scene, 0);
+        if (text.empty()) continue;
+        const FilePart part = file_part(text);
+        const std::filesystem::path path = folder / part.path;  // itself where it is absolute
+        if (!std::filesystem::is_regular_file(path)) {
+            reading.report(key.name, path.string() + ": no such file; paths count from the scene's folder");
+            reading.spoil(std::string(key.name));
+        }
+        text = part.before + path.lexically_normal().string() + part.after;
+    }
+}
+
 // Keys that follow from others.
 void derive(Reading& reading) {
     Scene& scene = reading.scene;
@@ -272,7 +289,10 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
     for (const Setting& setting : settings) {
         if (!setting.problem.empty()) reading.add(setting.place + ": " + setting.problem);
     }
+    read_profiles(reading);
     check_missing(reading);
+    find_files(reading);
+    derive_glacier(reading);
     derive(reading);
     fill_velocities(reading);
     check_scene(reading);

@@ -36,8 +36,14 @@ struct Reading {
 // Checks the keys against each other, appending what is wrong.
 void check_scene(Reading& reading);
 
-// Parts of it, in check_blocks.cpp and check_flume.cpp.
+// Keys of ice and ground that follow from others: profiles from files; the box of an outline, and where ice
+// floats. Report what stands in their way. In derive_glacier.cpp.
+void read_profiles(Reading& reading);
+void derive_glacier(Reading& reading);
+
+// Parts of it, in check_blocks.cpp, check_glacier.cpp and check_flume.cpp.
 void check_blocks(Reading& reading);
+void check_glacier(Reading& reading);
 void check_bed(Reading& reading);
 void check_piston(Reading& reading);
 void check_sponge(Reading& reading);
@@ -46,6 +52,7 @@ void check_sponge(Reading& reading);
 // m/s.
 std::vector<std::string> block_warnings(const Scene& scene);
 double fastest_block(const Scene& scene);
+std::vector<std::string> glacier_warnings(const Scene& scene);
 
 // "block.size", or "block.2.size" for the second of several.
 std::string block_key(const Scene& scene, std::size_t block, std::string_view name);

@@ -47,6 +47,15 @@ geometry::Box ice_box(const Scene& scene) {
     return make_box(scene, center, scene.ice.size);
 }
 
+geometry::Polygon ice_outline(const Scene& scene) {
+    geometry::Polygon outline;
+    const auto& list = scene.ice.profile;
+    for (std::size_t n = 0; n + 1 < list.size(); n += 2) outline.emplace_back(list[n], list[n + 1]);
+    if (!outline.empty()) return outline;
+    const auto corners = geometry::corners(ice_box(scene));
+    return {corners.begin(), corners.end()};
+}
+
 bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }
 
 geometry::Profile bed_profile(const Scene& scene) {

@@ -15,6 +15,7 @@
 
 #include "analysis/wave_theory.h"
 #include "geometry/box.h"
+#include "geometry/polygon.h"
 #include "geometry/profile.h"
 #include "mpm/boundary.h"
 #include "mpm/ice.h"
@@ -28,6 +29,10 @@ namespace tidewater::scene {
 enum class Stage { geometry, simulate, postprocess };  // in the order in which they run
 enum class Softening { paper, crack_band };            // how ξ follows from the keys
 enum class HardeningLimit { start, none };
+enum class IceBase { given, bed, floating };                  // what the ice's lower side follows
+enum class BedShape { straight, smooth };                     // of the ground between corners
+enum class Nodata { refuse, fill };                           // of an elevation model's holes
+enum class Pattern { lattice, blue_noise };                   // of particles
 enum class Precision { single_precision, double_precision };  // "float", "double" in the file
 
 struct Scene {
@@ -74,10 +79,13 @@ struct Scene {
     };
     std::vector<Block> blocks = std::vector<Block>(1);  // [block] or [[block]]; one at least
 
-    struct Ice {                     // effect "ice"
-        std::vector<double> size;    // m
-        std::vector<double> corner;  // m, the lowest one; at t = 0
-        mpm::IceModel model;         // ice.density, ice.youngs_modulus, ice.poisson_ratio, ice.moduli
+    struct Ice {                      // effect "ice"
+        std::vector<double> size;     // m
+        std::vector<double> corner;   // m, the lowest one; at t = 0
+        std::vector<double> profile;  // m: x0, z0, x1, z1, … of an outline; size and corner are its box
+        std::string profile_file;
+        IceBase base = IceBase::given;
+        mpm::IceModel model;  // ice.density, ice.youngs_modulus, ice.poisson_ratio, ice.moduli
     } ice;
 
     struct Fracture {  // effect "fracture"; fracture.strength, .beta, .friction, .hardening and
@@ -87,14 +95,54 @@ struct Scene {
         HardeningLimit hardening_limit = HardeningLimit::start;
     } fracture;
 
-    struct Shelf {            // effect "shelf"
-        double length = 0.0;  // m, from the left wall
-        double height = 0.0;  // m, above the bottom
+    struct Cliff {                     // effect "cliff": the front is irregular
+        double amplitude = 0.0;        // m
+        double wavelength = 100.0;     // m, along y, 3D
+        double wavelength_up = 100.0;  // m, along z
+    } cliff;
+
+    struct Undercut {         // effect "undercut": a notch in the front
+        double depth = 0.0;   // m, along x
+        double height = 0.0;  // m
+        double below = 0.0;   // m, of its upper edge below the still water
+    } undercut;
+
+    struct Crevasses {                            // effect "crevasses"
+        double spacing = 0.0;                     // m, along x
+        std::vector<double> depth{20.0, 50.0};    // m, least and greatest
+        std::vector<double> opening{5.0, 10.0};   // m, least and greatest
+        double from = 0.0, to = 0.0;              // m, along x; to 0: up to the front
+        double angle = 0.0;                       // degrees, in plan
+        double length = 0.0;                      // m, across the flow; 0: all of it
+        double wander = 0.0, wavelength = 200.0;  // m
+    } crevasses;
+
+    struct Cracks {              // effect "cracks": Voronoi cells
+        double cell_size = 0.0;  // m
+        double width = 0.0;      // m
+        double cohesion = 0.0;   // of intact ice
+    } cracks;
+
+    struct Dem {                     // effect "dem": elevation models
+        std::string bed, surface;    // files
+        std::vector<double> origin;  // m, (east, north)
+        double azimuth = 90.0;       // degrees
+        double datum = 0.0;          // m
+        std::string crs;
+        Nodata nodata = Nodata::refuse;
+    } dem;
+
+    struct Shelf {             // effect "shelf"
+        double length = 0.0;   // m, from the left wall
+        double height = 0.0;   // m, above the bottom
+        double retreat = 0.0;  // m/s
         mpm::WallRule wall = mpm::WallRule::separate;
     } shelf;
 
     struct Bed {                      // effect "bed"
         std::vector<double> profile;  // m: x0, z0, x1, z1, …
+        std::string profile_file;
+        BedShape shape = BedShape::straight;
         mpm::WallRule wall = mpm::WallRule::separate;
     } bed;
 
@@ -126,8 +174,9 @@ struct Scene {
     } settle;
 
     struct Particles {
-        int per_axis = 2;     // particles per cell and axis: 2 gives 4 per cell in 2D, 8 in 3D
-        double jitter = 0.0;  // 0: a lattice; 1: anywhere within the particle's own share of the cell
+        int per_axis = 2;  // particles per cell and axis: 2 gives 4 per cell in 2D, 8 in 3D
+        Pattern pattern = Pattern::lattice;
+        double jitter = 0.0;  // 0: in rows; 1: anywhere within the particle's own share of the cell
     } particles;
 
     struct Simulate {
@@ -143,11 +192,11 @@ struct Scene {
     } simulate;
 
     struct Postprocess {
-        Points gauges;                      // further gauges, read from the snapshots
-        std::vector<double> picture_times;  // s; empty: five, evenly spread
-        double picture_interval = 0.0;      // s, between pictures; 0: picture_times
-        int picture_width = 1600;           // pixels
-        double picture_speed = 0.0;         // m/s, the colour scale's upper end; 0: the run's own
+        Points gauges;                       // further gauges, read from the snapshots
+        std::vector<double> picture_times;   // s; empty: five, evenly spread
+        double picture_interval = 0.0;       // s, between pictures; 0: picture_times
+        int picture_width = 1600;            // pixels
+        double picture_speed = 0.0;          // m/s, the colour scale's upper end; 0: the run's own
         std::vector<double> picture_window;  // m: x0, z0, x1, z1 of the part to draw; empty: all
         double arrival_threshold =
             0.05;  // a wave has arrived at this share of the gauge's greatest amplitude
@@ -190,6 +239,8 @@ geometry::Box make_box(const Scene& scene, const std::vector<double>& center, co
                        double degrees = 0.0);
 geometry::Box block_box(const Scene& scene, const Scene::Block& block);
 geometry::Box ice_box(const Scene& scene);
+// In the x–z plane: of ice.profile, or of that box.
+geometry::Polygon ice_outline(const Scene& scene);
 
 // The ground of a scene with the effect "bed".
 geometry::Profile bed_profile(const Scene& scene);

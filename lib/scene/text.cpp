@@ -117,4 +117,13 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     return found;
 }
 
+FilePart file_part(const std::string& value) {
+    const std::string netcdf = "NETCDF:";
+    if (!value.starts_with(netcdf)) return {{}, value, {}};
+    const std::string rest = value.substr(netcdf.size());
+    const auto colon = rest.rfind(':');
+    if (colon == rest.npos) return {netcdf, rest, {}};
+    return {netcdf, rest.substr(0, colon), rest.substr(colon)};
+}
+
 }  // namespace tidewater::scene

@@ -39,4 +39,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 // whole. Empty if none is near enough to be what was meant.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
+// The file's path in the value of a key, and what stands before and behind it: "NETCDF:" and ":variable".
+struct FilePart {
+    std::string before, path, after;
+};
+FilePart file_part(const std::string& value);
+
 }  // namespace tidewater::scene

@@ -29,6 +29,14 @@ constexpr std::array enum_names<mpm::Transfer>{"apic", "restored"};
 template <>
 constexpr std::array enum_names<mpm::BodyContact>{"stick", "slip"};
 template <>
+constexpr std::array enum_names<IceBase>{"given", "bed", "floating"};
+template <>
+constexpr std::array enum_names<BedShape>{"straight", "smooth"};
+template <>
+constexpr std::array enum_names<Nodata>{"refuse", "fill"};
+template <>
+constexpr std::array enum_names<Pattern>{"lattice", "blue_noise"};
+template <>
 constexpr std::array enum_names<Softening>{"paper", "crack_band"};
 template <>
 constexpr std::array enum_names<HardeningLimit>{"start", "none"};

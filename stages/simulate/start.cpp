@@ -59,7 +59,12 @@ template <int D>
 mpm::Boundaries<D> make_boundaries(const scene::Scene& scene) {
     mpm::Boundaries<D> boundaries;
     boundaries.walls = make_walls<D>(scene.domain);
-    if (scene.has("shelf")) boundaries.shelf = {scene.shelf.length, scene.shelf.height, scene.shelf.wall};
+    if (scene.has("shelf")) {
+        boundaries.shelf = {.end = scene.shelf.length,
+                            .top = scene.shelf.height,
+                            .rule = scene.shelf.wall,
+                            .retreat = scene.shelf.retreat};
+    }
     if (scene.has("bed")) boundaries.bed = make_bed<D>(scene);
     if (scene.has("push")) boundaries.push = {scene.push.speed, scene.push.ramp};
     if (scene.has("piston")) boundaries.piston = make_piston(scene);

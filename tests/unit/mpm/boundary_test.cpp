@@ -91,6 +91,24 @@ TEST_CASE(
         at(act(1.0, 1.0), 6, 4).isApprox(Node<double>(1.0, 1.0, 0.0, 2.0)));  // the edge lets go all the same
 }
 
+TEST_CASE("a shelf that retreats lets go of one column of nodes after the other") {
+    const Layout<2> layout{1.0, {32, 32}};
+    Boundaries<2> boundaries;
+    boundaries.shelf = {.end = 6.0, .top = 4.0, .rule = WallRule::separate, .retreat = 0.5};
+    const auto held = [&](double time, int x) {
+        std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(0.0, -1.0, 0.0, 2.0));
+        apply_boundaries<2, double>(layout, boundaries, time, {2, 2}, nodes.data());
+        return at(nodes, x, 4)[1] == 0.0;
+    };
+    for (int x = 1; x <= 6; ++x) CHECK(held(0.0, x));
+    CHECK(held(1.9, 5));
+    CHECK_FALSE(held(1.9, 6));
+    CHECK_FALSE(held(4.1, 4));
+    CHECK(held(4.1, 3));
+    CHECK(held(-1.0, 6));  // before time begins it stands still
+    CHECK(boundaries.shelf.end_at(2.0) == 5.0);
+}
+
 TEST_CASE("a push moves what lies behind it at its speed, holds nothing back and says its work") {
     const Layout<2> layout{1.0, {32, 32}};
     Boundaries<2> boundaries;

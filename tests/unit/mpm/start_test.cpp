@@ -118,3 +118,22 @@ TEST_CASE("water of the scheme density starts compressed: level, weight and volu
     CHECK(lowest == doctest::Approx(0.025).epsilon(0.01));
     CHECK(highest == doctest::Approx(depth - 0.025).epsilon(1e-4));
 }
+
+TEST_CASE_TEMPLATE("ice starts with the share of its strength that was asked for", Dimension,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+    constexpr int D = Dimension::value;
+    auto start = test::flying_start<D>(Scene::fracturing_ice, D == 2 ? 40 : 16, 4.0);
+    auto& body = start.bodies[0];
+    body.strength.assign(body.points.size(), 1.0f);
+    body.strength[0] = 0.0f, body.strength[1] = 0.25f, body.strength[2] = 0.75f;
+    const auto s = make_simulation<D, double>(start);
+    const IceModel& ice = s.parameters.ice;
+    const auto& particles = s.bodies[0];
+    const double kappa = ice.bulk_modulus(D);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double share = body.strength[particles.id[p]];
+        const double strength = ice.beta * kappa * std::sinh(-ice.hardening * particles.alpha[p]);
+        CHECK(strength == doctest::Approx(share * ice.beta_p0).epsilon(1e-9));
+        CHECK((particles.failure_time[p] == 0.0) == (share == 0.0));
+    }
+}

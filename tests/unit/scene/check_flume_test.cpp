@@ -63,8 +63,8 @@ TEST_CASE("a sponge and a piston need water, and the sponge leaves room for it")
 }
 
 TEST_CASE("what takes the same place is not named together") {
-    tells({"effects=[\"water\", \"bed\", \"shelf\"]", "shelf.length=2", "shelf.height=0.5"},
-          "both are the ground");
+    tells({"effects=[\"water\", \"bed\", \"shelf\"]", "shelf.length=12", "shelf.height=0.4"},
+          "rises to 0.5 m within the shelf");
     tells({"effects=[\"water\", \"piston\", \"push\"]", "push.speed=1"}, "both take the left wall's place");
     tells({"effects=[\"water\", \"sponge\", \"shelf\"]", "shelf.length=15", "shelf.height=0.5"},
           "reaches onto the shelf");

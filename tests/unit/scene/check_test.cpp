@@ -334,6 +334,6 @@ TEST_CASE("gauges have the coordinates that their dimension needs, inside the ta
 
 TEST_CASE("every transfer, scheme and tension goes with a rigid block") {
     CHECK(problem(block_scene, {"simulate.transfer=\"restored\""}) == "");
-    CHECK(problem(block_scene, {"simulate.transfer=\"apic\"", "water.scheme=\"paper\"",
-                                "water.tension=\"paper\""}) == "");
+    CHECK(problem(block_scene,
+                  {"simulate.transfer=\"apic\"", "water.scheme=\"paper\"", "water.tension=\"paper\""}) == "");
 }

@@ -175,7 +175,8 @@ TEST_CASE("an unknown effect is told with the nearest known one") {
     CHECK(set_problem("effects=[\"watter\", \"rigid\"]") ==
           "unknown effect \"watter\"; did you mean \"water\"?");
     CHECK(set_problem("effects=[\"magma\"]") ==
-          "unknown effect \"magma\"; known are water, wave, rigid, ice, fracture, shelf, bed, push, "
+          "unknown effect \"magma\"; known are water, wave, rigid, ice, fracture, cliff, undercut, "
+          "crevasses, cracks, dem, shelf, bed, push, "
           "piston, outlet, sponge and settle");
 }
 
