@@ -5,6 +5,8 @@
 #include <initializer_list>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -74,6 +76,59 @@ TEST_CASE("jitter stays within a particle's share, depends on the seed, and not 
     }
     seeding.seed = 2;
     CHECK(seed_points<2>(*grid, seeding) != serial);
+}
+
+TEST_CASE("a body far thicker than the level set's band is filled to the middle, and not beside it") {
+    const Box block{{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, 0.0};
+    const auto grid = box_grid(block, 0.1);
+    CHECK(seed_points<3>(*grid, {.cell_size = 0.1, .per_axis = 2}).size() == 20 * 20 * 20 * 8);
+    // Level sets of half the cells' size, and of twice, as bodies on a lattice of another pitch.
+    CHECK(seed_points<3>(*grid, {.cell_size = 0.2, .per_axis = 2}).size() == 10 * 10 * 10 * 8);
+    CHECK(seed_points<3>(*grid, {.cell_size = 0.05, .per_axis = 1}).size() == 40 * 40 * 40);
+}
+
+TEST_CASE("blue noise has as many points as the lattice, apart, and the same on any number of threads") {
+    const Box block{{1.0, 0.5, 0.4}, {1.0, 0.5, 0.4}, 0.0};
+    const auto grid = box_grid(block, 0.1);
+    const Seeding seeding{.cell_size = 0.1, .per_axis = 2, .pattern = SeedPattern::blue_noise};
+    const auto points = seed_points<3>(*grid, seeding);
+    CHECK(points.size() == 20 * 10 * 8 * 8);
+    double least = 1.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        CHECK(signed_distance(block, points[i]) < 0.0);
+        for (std::size_t j = 0; j < i; ++j) least = std::min(least, (points[i] - points[j]).norm());
+    }
+    CHECK(least > 0.7 * 0.05);
+    for (const int threads : {1, 2, 5}) {
+        const ThreadLimit limit(threads);
+        CHECK(seed_points<3>(*grid, seeding) == points);
+    }
+    const auto flat = box_grid({{1.0, 0.0, 0.4}, {1.0, 0.5, 0.4}, 0.0}, 0.1);
+    CHECK(seed_points<2>(*flat, seeding).size() == 20 * 8 * 4);
+    Seeding other = seeding;
+    other.stream = 7;
+    CHECK(seed_points<3>(*grid, other) == points);
+    other.seed = 2;
+    CHECK(seed_points<3>(*grid, other) != points);
+}
+
+TEST_CASE("points that are not to be kept are left out, the others stay where they are") {
+    const auto grid = box_grid({{0.8, 0.5, 0.4}, {0.8, 0.5, 0.4}, 0.0}, 0.1);
+    for (const bool placed : {false, true}) {
+        for (const auto pattern : {SeedPattern::lattice, SeedPattern::blue_noise}) {
+            Seeding seeding{.cell_size = 0.1, .per_axis = 2, .jitter = 0.7, .pattern = pattern};
+            if (placed) seeding.place = [](const Point& p) { return Point(p + Point(0.01, 0.0, -0.02)); };
+            auto all = seed_points<3>(*grid, seeding);
+            const auto keep = [](const Point& p) { return std::abs(p[0] - 0.5) > 0.013; };
+            seeding.keep = keep;
+            const auto kept = seed_points<3>(*grid, seeding);
+            CHECK(kept.size() < all.size());
+            std::erase_if(all, [&](const Point& p) { return !keep(p); });
+            CHECK(kept == all);
+            seeding.keep = [](const Point&) { return false; };
+            CHECK(seed_points<3>(*grid, seeding).empty());
+        }
+    }
 }
 
 TEST_CASE("a level set without the metadata of a body is refused by name") {
