@@ -2,12 +2,10 @@
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
-#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -17,6 +15,7 @@
 
 #include "core/files.h"
 #include "io/text.h"
+#include "io/vtk_file.h"
 
 namespace tidewater::io {
 namespace {
@@ -50,13 +49,6 @@ vtkNew<vtkCellArray> one_cell(std::size_t point_count) {
     return cells;
 }
 
-void add_field(vtkPolyData* data, const std::string& name, const std::string& text) {
-    vtkNew<vtkStringArray> array;
-    array->SetName(name.c_str());
-    array->InsertNextValue(text);
-    data->GetFieldData()->AddArray(array);
-}
-
 // Within an XML comment there must be no "--": a blank goes between.
 std::string xml_comment(const Provenance& provenance) {
     std::string text;
@@ -87,19 +79,9 @@ void write_particles(const std::filesystem::path& path, const Snapshot& snapshot
     });
     const std::vector<float> speed = magnitudes(snapshot.velocity);
     data->GetPointData()->AddArray(borrow("velocity_magnitude", 1, speed));
-    add_field(data, "format", "tidewater-particles");
-    add_field(data, "format_version", std::to_string(particles_format_version));
-    for (const auto& [name, text] : provenance_fields(provenance)) add_field(data, name, text);
-
-    // In memory first: VTK's own writing to a full disk leaves half a file, or crashes.
+    add_provenance(data, "tidewater-particles", particles_format_version, provenance);
     vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->WriteToOutputStringOn();
-    writer->SetInputData(data);
-    writer->SetDataModeToBinary();
-    writer->SetCompressorTypeToZLib();
-    writer->SetCompressionLevel(1);
-    writer->Write();
-    write_text(path, writer->GetOutputString());
+    write_vtk(path, writer, data);
 }
 
 void write_collection(const std::filesystem::path& path, const std::vector<CollectionEntry>& entries,
