@@ -90,6 +90,10 @@ void describe_body(openvdb::FloatGrid& level_set, Material material, double volu
     level_set.insertMeta(volume_key, openvdb::DoubleMetadata(volume));
 }
 
+bool is_body(const openvdb::FloatGrid& level_set) {
+    return static_cast<bool>(level_set.getMetadata<openvdb::StringMetadata>(material_key));
+}
+
 Material body_material(const openvdb::FloatGrid& level_set) {
     const std::string name = metadata<openvdb::StringMetadata>(level_set, material_key);
     for (const Material material : {Material::water, Material::ice, Material::rigid}) {

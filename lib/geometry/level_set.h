@@ -25,6 +25,9 @@ openvdb::FloatGrid::Ptr make_level_set(const std::string& name, double voxel_siz
 
 void describe_body(openvdb::FloatGrid& level_set, Material material, double volume);
 
+// Whether a grid is what particles are seeded in, or a rigid body.
+bool is_body(const openvdb::FloatGrid& level_set);
+
 // From the metadata. Throw InputError naming the grid if it is missing or of a wrong kind.
 Material body_material(const openvdb::FloatGrid& level_set);
 double body_volume(const openvdb::FloatGrid& level_set);

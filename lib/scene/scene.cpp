@@ -60,6 +60,7 @@ bool Scene::has(std::string_view effect) const { return std::ranges::find(effect
 
 geometry::Profile bed_profile(const Scene& scene) {
     geometry::Profile profile;
+    profile.smooth = scene.bed.shape == BedShape::smooth;
     for (std::size_t i = 0; i + 1 < scene.bed.profile.size(); i += 2) {
         profile.x.push_back(scene.bed.profile[i]);
         profile.z.push_back(scene.bed.profile[i + 1]);

@@ -128,6 +128,7 @@ struct Scene {
         std::vector<double> origin;  // m, (east, north)
         double azimuth = 90.0;       // degrees
         double datum = 0.0;          // m
+        double freeboard = 5.0;      // m, the least of ice
         std::string crs;
         Nodata nodata = Nodata::refuse;
     } dem;

@@ -34,6 +34,11 @@ struct StageContext {
     double until = 0.0;  // s
 };
 
+// The level sets that the geometry stage left for the others.
+inline std::filesystem::path geometry_file(const StageContext& context) {
+    return context.run / "geometry" / "geometry.vdb";
+}
+
 // Writes context.folder/scene.toml: the resolved scene after comments with program, version and command.
 // Every stage's work calls it once it has read its inputs and removed the results of an earlier run, before
 // it writes its own, so that no results lie beside another run's scene.

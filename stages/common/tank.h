@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/surface.h"
+#include "common/ground.h"
 #include "io/places.h"
 #include "scene/scene.h"
 
@@ -19,14 +20,13 @@ inline analysis::Tank make_tank(const scene::Scene& scene) {
 }
 
 // A gauge that tells only its x is on the middle of the tank's width.
-inline std::vector<analysis::Place> gauge_places(const scene::Points& gauges, const scene::Scene& scene) {
-    const geometry::Profile bed = bed_profile(scene);
+inline std::vector<analysis::Place> gauge_places(const scene::Points& gauges, const scene::Scene& scene,
+                                                 const Ground& ground) {
     const double middle = 0.5 * make_tank(scene).size[1];
     std::vector<analysis::Place> places;
     for (const auto& gauge : gauges) {
-        places.push_back({.x = gauge[0],
-                          .y = gauge.size() > 1 ? gauge[1] : middle,
-                          .bed = scene.has("bed") ? bed.height(gauge[0]) : 0.0});
+        const double y = gauge.size() > 1 ? gauge[1] : middle;
+        places.push_back({.x = gauge[0], .y = y, .bed = ground.height(gauge[0], y)});
     }
     return places;
 }

@@ -34,10 +34,11 @@ io::Snapshot read_frame(const std::filesystem::path& file, const scene::Scene& s
     return snapshot;
 }
 
-std::vector<double> read_gauges(const io::Snapshot& snapshot, const scene::Scene& scene) {
+std::vector<double> read_gauges(const io::Snapshot& snapshot, const scene::Scene& scene,
+                                const Ground& ground) {
     const analysis::Tank tank = make_tank(scene);
     return analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank,
-                                       gauge_places(scene.postprocess.gauges, scene));
+                                       gauge_places(scene.postprocess.gauges, scene, ground));
 }
 
 double fast_water(const io::Snapshot& snapshot) {
@@ -54,7 +55,23 @@ double fast_water(const io::Snapshot& snapshot) {
     return speeds[static_cast<std::size_t>(index)];
 }
 
-io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) {
+// The ground's outline at mid-width: the corners of straight lines, else its height at every node line.
+void add_ground(const scene::Scene& scene, const Ground& ground, io::PictureSettings& settings) {
+    if (!ground.exists()) return;
+    if (ground.profile && !ground.profile->smooth) {
+        settings.ground_x = ground.profile->x;
+        settings.ground_z = ground.profile->z;
+        return;
+    }
+    const auto size = make_tank(scene).size;
+    const auto lines = static_cast<int>(std::lround(size[0] / scene.domain.cell_size));
+    for (int n = 0; n <= lines; ++n) {
+        settings.ground_x.push_back(n * scene.domain.cell_size);
+        settings.ground_z.push_back(ground.height(settings.ground_x.back(), 0.5 * size[1]));
+    }
+}
+
+io::PictureSettings picture_settings(const scene::Scene& scene, const Ground& ground, double fastest) {
     io::PictureSettings settings{.dimension = scene.dimension,
                                  .low = {},
                                  .high = make_tank(scene).size,
@@ -68,17 +85,14 @@ io::PictureSettings picture_settings(const scene::Scene& scene, double fastest) 
                                  .width = scene.postprocess.picture_width};
     if (settings.greatest_speed == 0.0) settings.greatest_speed = fastest > 0.0 ? io::round_up(fastest) : 1.0;
     for (const auto* gauges : {&scene.simulate.gauges, &scene.postprocess.gauges}) {
-        for (const auto& place : gauge_places(*gauges, scene)) settings.gauges.push_back({place.x, place.y});
+        for (const auto& place : gauge_places(*gauges, scene, ground))
+            settings.gauges.push_back({place.x, place.y});
     }
     if (const auto& window = scene.postprocess.picture_window; !window.empty()) {
         settings.low = {window[0], 0.0, window[1]};
         settings.high = {window[2], 0.0, window[3]};
     }
-    if (scene.has("bed")) {
-        const geometry::Profile bed = bed_profile(scene);
-        settings.ground_x = bed.x;
-        settings.ground_z = bed.z;
-    }
+    add_ground(scene, ground, settings);
     return settings;
 }
 
@@ -94,8 +108,8 @@ int time_decimals(const std::vector<double>& times) {
 }
 
 void draw_pictures(const StageContext& context, const Frames& frames, const std::vector<std::size_t>& chosen,
-                   double fastest, Progress& progress) {
-    io::PictureSettings settings = picture_settings(context.scene, fastest);
+                   const Ground& ground, double fastest, Progress& progress) {
+    io::PictureSettings settings = picture_settings(context.scene, ground, fastest);
     const int decimals = time_decimals(frames.times);
     std::vector<io::Slide> slides;
     for (const std::size_t frame : chosen) {
@@ -164,6 +178,7 @@ void check_picture_window(const scene::Scene& scene) {
 FromFrames process_frames(const StageContext& context, const Frames& frames) {
     const scene::Scene& scene = context.scene;
     const auto chosen = choose_pictures(frames.times, scene);
+    const Ground ground = read_ground(scene, geometry_file(context));
     FromFrames read{{}, start_profiles(scene)};
     for (const auto& gauge : scene.postprocess.gauges)
         read.gauges.push_back({gauge_name(gauge), "snapshots", frames.times, {}});
@@ -175,16 +190,16 @@ FromFrames process_frames(const StageContext& context, const Frames& frames) {
         const io::Snapshot snapshot = read_frame(frames.files[frame], scene);
         collection.push_back({io::particles_name(frame), snapshot.time});
         io::write_particles(context.folder / collection.back().name, snapshot, context.provenance);
-        const auto elevations = read_gauges(snapshot, scene);
+        const auto elevations = read_gauges(snapshot, scene, ground);
         for (std::size_t i = 0; i < read.gauges.size(); ++i)
             read.gauges[i].elevation.push_back(elevations[i]);
-        append_profile(snapshot, scene, read.profiles);
+        append_profile(snapshot, scene, ground, read.profiles);
         if (std::ranges::binary_search(chosen, frame)) fastest = std::max(fastest, fast_water(snapshot));
         progress.update(0.95 * static_cast<double>(frame + 1) / static_cast<double>(frames.files.size()),
                         "t = " + io::format_fixed(snapshot.time, 2) + " s");
     }
     io::write_collection(context.folder / "particles.pvd", collection, context.provenance);
-    draw_pictures(context, frames, chosen, fastest, progress);
+    draw_pictures(context, frames, chosen, ground, fastest, progress);
     progress.update(1.0);
     return read;
 }

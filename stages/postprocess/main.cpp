@@ -32,7 +32,8 @@ std::vector<Body> read_run_bodies(const StageContext& context) {
     if (!makes_first_wave(context.scene)) return {};
     if (std::filesystem::exists(path)) {
         std::vector<Body> bodies = read_bodies(path);
-        slide_of(heaviest(bodies), context.scene);  // so that what is wrong is told before anything is removed
+        slide_of(heaviest(bodies),
+                 context.scene);  // so that what is wrong is told before anything is removed
         return bodies;
     }
     std::puts("no bodies.csv, and so nothing of the block's wave; run tidewater-simulate again");

@@ -43,13 +43,14 @@ SurfaceProfiles start_profiles(const scene::Scene& scene) {
     return profiles;
 }
 
-void append_profile(const io::Snapshot& snapshot, const scene::Scene& scene, SurfaceProfiles& profiles) {
+void append_profile(const io::Snapshot& snapshot, const scene::Scene& scene, const Ground& ground,
+                    SurfaceProfiles& profiles) {
     if (profiles.x.empty()) return;
     const analysis::Tank tank = make_tank(scene);
     scene::Points places;
     for (const double x : profiles.x) places.push_back({x});
     auto elevation = analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank,
-                                                 gauge_places(places, scene));
+                                                 gauge_places(places, scene, ground));
     const std::vector<bool> covered = covered_places(snapshot, tank, profiles.x);
     for (std::size_t i = 0; i < covered.size(); ++i) {
         if (covered[i]) elevation[i] = analysis::none;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/first_wave.h"
+#include "common/ground.h"
 #include "io/snapshot.h"
 #include "scene/scene.h"
 
@@ -22,6 +23,7 @@ SurfaceProfiles start_profiles(const scene::Scene& scene);
 
 // Adds the profile of a frame, if there are places; without an elevation where a block covers the place or
 // comes within a cell of it, also deep below, for the surface over a block is no wave's.
-void append_profile(const io::Snapshot& snapshot, const scene::Scene& scene, SurfaceProfiles& profiles);
+void append_profile(const io::Snapshot& snapshot, const scene::Scene& scene, const Ground& ground,
+                    SurfaceProfiles& profiles);
 
 }  // namespace tidewater::postprocess

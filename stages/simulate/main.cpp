@@ -51,7 +51,8 @@ void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Ch
                     s.grid.particle_blocks.size(), D, sizeof(Real) == 4 ? "float" : "double",
                     context.scene.domain.cell_size));
     const long first_step = s.step;
-    Records<D, Real> records(context.scene, context.folder, context.provenance);
+    Records<D, Real> records(context.scene, read_ground(context.scene, geometry_file(context)),
+                             context.folder, context.provenance);
     if (earlier.begun()) records.resume(earlier);
     Run<D, Real> run(context, s, checkpoint, records, log, earlier, started);
     try {
@@ -74,7 +75,7 @@ void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Ch
 // The simulation at t = 0, and the fingerprint of what it was made from.
 template <int D, class Real>
 std::pair<mpm::Simulation<D, Real>, std::string> begin(const StageContext& context) {
-    auto start = make_start<D>(context.scene, context.run / "geometry" / "geometry.vdb");
+    auto start = make_start<D>(context.scene, geometry_file(context));
     const std::string fingerprint = start_fingerprint(start);
     return {mpm::make_simulation<D, Real>(std::move(start)), fingerprint};
 }

@@ -110,12 +110,12 @@ void remove_later_records(const std::filesystem::path& folder, std::size_t frame
 }
 
 template <int D, class Real>
-Records<D, Real>::Records(const scene::Scene& scene, const std::filesystem::path& folder,
-                          const Provenance& provenance)
+Records<D, Real>::Records(const scene::Scene& scene, const Ground& ground,
+                          const std::filesystem::path& folder, const Provenance& provenance)
     : folder_(folder),
       provenance_(provenance),
       tank_(make_tank(scene)),
-      places_(gauge_places(scene.simulate.gauges, scene)),
+      places_(gauge_places(scene.simulate.gauges, scene, ground)),
       sensors_(pressure_points<D>(scene.simulate.pressure_gauges)),
       gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
       ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()),

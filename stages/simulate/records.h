@@ -8,6 +8,7 @@
 #include "analysis/surface.h"
 #include "bodies.h"
 #include "checkpoint.h"
+#include "common/ground.h"
 #include "core/provenance.h"
 #include "io/table.h"
 #include "mpm/ledger.h"
@@ -25,7 +26,8 @@ void remove_later_records(const std::filesystem::path& folder, std::size_t frame
 template <int D, class Real>
 class Records {
 public:
-    Records(const scene::Scene& scene, const std::filesystem::path& folder, const Provenance& provenance);
+    Records(const scene::Scene& scene, const Ground& ground, const std::filesystem::path& folder,
+            const Provenance& provenance);
 
     void write_frame(const mpm::Simulation<D, Real>& simulation);
     void append_row(const mpm::Simulation<D, Real>& simulation);  // to all tables

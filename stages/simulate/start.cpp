@@ -7,8 +7,10 @@
 #include <span>
 
 #include "analysis/wave_theory.h"
+#include "common/ground.h"
 #include "core/error.h"
 #include "core/hash.h"
+#include "cut_ice.h"
 #include "geometry/seeding.h"
 #include "io/vdb.h"
 
@@ -24,16 +26,20 @@ mpm::Walls<D> make_walls(const scene::Scene::Domain& domain) {
     return walls;
 }
 
-// The profile at every node line.
+// The ground at every node line; a profile is the same for all y.
 template <int D>
-mpm::Bed<D> make_bed(const scene::Scene& scene) {
+mpm::Bed<D> make_bed(const scene::Scene& scene, const Ground& ground) {
     mpm::Bed<D> bed;
     bed.rule = scene.bed.wall;
     bed.spacing = scene.domain.cell_size;
     bed.points.fill(1);
     bed.points[0] = static_cast<int>(std::lround(scene.domain.size[0] / bed.spacing)) + 1;
-    const geometry::Profile profile = bed_profile(scene);
-    for (int n = 0; n < bed.points[0]; ++n) bed.heights.push_back(profile.height(n * bed.spacing));
+    if (D == 3 && ground.field)
+        bed.points.back() = static_cast<int>(std::lround(scene.domain.size[1] / bed.spacing)) + 1;
+    for (int n = 0; n < bed.points[0]; ++n) {
+        for (int m = 0; m < (D == 3 ? bed.points.back() : 1); ++m)
+            bed.heights.push_back(ground.height(n * bed.spacing, m * bed.spacing));
+    }
     return bed;
 }
 
@@ -56,7 +62,7 @@ mpm::Sponge make_sponge(const scene::Scene& scene) {
 }
 
 template <int D>
-mpm::Boundaries<D> make_boundaries(const scene::Scene& scene) {
+mpm::Boundaries<D> make_boundaries(const scene::Scene& scene, const Ground& ground) {
     mpm::Boundaries<D> boundaries;
     boundaries.walls = make_walls<D>(scene.domain);
     if (scene.has("shelf")) {
@@ -65,7 +71,7 @@ mpm::Boundaries<D> make_boundaries(const scene::Scene& scene) {
                             .rule = scene.shelf.wall,
                             .retreat = scene.shelf.retreat};
     }
-    if (scene.has("bed")) boundaries.bed = make_bed<D>(scene);
+    if (scene.has("bed")) boundaries.bed = make_bed<D>(scene, ground);
     if (scene.has("push")) boundaries.push = {scene.push.speed, scene.push.ramp};
     if (scene.has("piston")) boundaries.piston = make_piston(scene);
     if (scene.has("sponge")) boundaries.sponge = make_sponge(scene);
@@ -95,13 +101,6 @@ std::vector<mpm::RigidStart<D>> make_blocks(const scene::Scene& scene) {
                           .spin = radians * block.spin});
     }
     return blocks;
-}
-
-// Whether a level set is of what has no particles: it bounds the scene, or is rigid.
-bool is_empty(const openvdb::FloatGrid& grid) {
-    const std::string name = grid.getName();
-    return name == "tank" || name == "bed" || name == "shelf" ||
-           geometry::body_material(grid) == Material::rigid;
 }
 
 void check_made_for(const scene::Scene& scene, const openvdb::FloatGrid& grid,
@@ -152,6 +151,8 @@ template <int D>
 mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path& file) {
     mpm::Start<D> start;
     start.cell_size = scene.domain.cell_size;
+    if (!std::filesystem::exists(file))
+        throw InputError(file.string() + ": missing; run tidewater-geometry first");
     for (std::size_t axis = 0; axis < D; ++axis) {
         start.cells[axis] = static_cast<int>(std::lround(scene.domain.size[axis] / scene.domain.cell_size));
     }
@@ -159,16 +160,16 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
                         .cfl = scene.simulate.cfl,
                         .water = scene.water.model,
                         .ice = ice_model(scene),
-                        .boundaries = make_boundaries<D>(scene),
+                        .boundaries = make_boundaries<D>(scene, read_ground(scene, file)),
                         .outlet = make_outlet(scene),
                         .transfer = scene.simulate.transfer};
     start.rigid = make_blocks<D>(scene);
     std::size_t count = 0;
-    if (!std::filesystem::exists(file))
-        throw InputError(file.string() + ": missing; run tidewater-geometry first");
-    for (const auto& grid : io::read_level_sets(file)) {
+    const auto grids = io::read_level_sets(file);
+    const Cuts cuts = read_cuts(scene, grids, file);
+    for (const auto& grid : grids) {
         check_made_for(scene, *grid, file);
-        if (is_empty(*grid)) continue;
+        if (!geometry::is_body(*grid) || geometry::body_material(*grid) == Material::rigid) continue;
         auto& body = start.bodies.emplace_back();
         body.material = geometry::body_material(*grid);
         body.volume = geometry::body_volume(*grid);
@@ -183,6 +184,8 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
         const bool wave = scene.has("wave") && water;
         if (wave) displace_lattice(initial_wave(scene), scene.domain.size.front(), seeding);
         body.points = geometry::seed_points<D>(*grid, seeding);
+        if (const auto keep = cuts.keep(); keep && body.material == Material::ice) std::erase_if(body.points, [&](const auto& x) { return !keep({x[0], D == 3 ? x[1] : 0.0, x[D - 1]}); });
+        if (body.material == Material::ice && cuts.cracks) crack<D>(*cuts.cracks, scene, body);
         if (wave) start_wave<D>(initial_wave(scene), body);
         count += body.points.size();
     }
@@ -200,6 +203,7 @@ std::string start_fingerprint(const mpm::Start<D>& start) {
         hash = hash_bytes(std::as_bytes(std::span(body.points)), hash);
         hash = hash_bytes(std::as_bytes(std::span(body.velocity)), hash);
         hash = hash_bytes(std::as_bytes(std::span(body.head)), hash);
+        hash = hash_bytes(std::as_bytes(std::span(body.strength)), hash);
     }
     for (const auto& body : start.rigid) {
         const std::array numbers{body.angle, body.density, static_cast<double>(body.contact), body.friction,
