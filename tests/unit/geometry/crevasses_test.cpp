@@ -251,6 +251,13 @@ TEST_CASE("settings that leave no ice between crevasses are refused with what wo
     bad = slice;
     bad.to = 101.0;
     CHECK_THROWS_WITH_AS(make_crevasses(bad), doctest::Contains("no room"), SceneError);
+    bad = glacier();
+    bad.width = 80.0;
+    bad.angle = 80.0;
+    bad.to = 30.0;
+    bad.spacing = 200.0;
+    CHECK_THROWS_WITH_AS(make_crevasses(bad), doctest::Contains("none fits between 0.00 m and 30.00 m"),
+                         SceneError);
     bad = slice;
     bad.depth = {2.0, 20.0};
     CHECK_THROWS_WITH_AS(make_crevasses(bad), doctest::Contains("half the opening"), SceneError);
