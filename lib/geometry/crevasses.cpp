@@ -76,7 +76,8 @@ double jitter_room(const CrevasseSettings& s, double cosine) {
                              meters(coherence / plane_noise_slope * s.wavelength));
     require(room >= 0.0, "with openings up to " + meters(s.opening[1]) +
                              " they would overlap at a spacing of " + meters(s.spacing) +
-                             "; it must be at least " + meters(needed / cosine));
+                             "; it must be at least " + meters(needed / cosine) +
+                             (s.wander > 0.0 ? ", or wander less" : ""));
     return std::min(most_jitter * s.spacing * cosine, 0.5 * room);
 }
 
@@ -143,7 +144,7 @@ struct Piece {
 // Across the whole width, or cut where the seed says.
 std::vector<Piece> cut(const CrevasseSettings& s, const Region& region, std::size_t trace, double across) {
     std::vector<Piece> pieces;
-    if (s.length == 0.0) {
+    if (s.length == 0.0 || s.width == 0.0) {
         const Stretch all = region.y.shared(region.x);
         const bool whole = all.length() == region.y.length();
         if (!whole && all.length() < least_length * s.depth[1]) return {};
@@ -235,6 +236,26 @@ void bound_slopes(Crevasses& crevasses) {
     }
 }
 
+// At even places, moved; the first and the last stay, so that the mean spacing is as asked.
+std::vector<double> place_traces(const CrevasseSettings& s, const std::array<double, 2>& axis) {
+    const auto [cosine, sine] = axis;
+    const double jitter = jitter_room(s, cosine), room = s.to - s.from;
+    const long count = std::max(1L, static_cast<long>(std::floor(room / s.spacing + 1e-9)));
+    const double begin = s.from + 0.5 * (room - static_cast<double>(count - 1) * s.spacing);
+    const long beside = static_cast<long>(std::ceil(0.5 * s.width * std::abs(sine) / cosine / s.spacing));
+    std::vector<double> traces;
+    std::vector<std::uint64_t> counters;
+    for (long k = -beside; k < count + beside; ++k) {
+        const double across = (begin + static_cast<double>(k) * s.spacing) * cosine;
+        if (cut(s, Region(s, axis, across), 0, across).empty()) continue;
+        traces.push_back(across);
+        counters.push_back(static_cast<std::uint64_t>(k));
+    }
+    for (std::size_t n = 1; n + 1 < traces.size(); ++n)
+        traces[n] += jitter * (2.0 * random_uniform(field_seed(s, Field::jitter), 0, counters[n]) - 1.0);
+    return traces;
+}
+
 }  // namespace
 
 Crevasses make_crevasses(const CrevasseSettings& settings) {
@@ -243,28 +264,13 @@ Crevasses make_crevasses(const CrevasseSettings& settings) {
     result.settings = settings;
     const double angle = settings.angle * std::numbers::pi / 180.0;
     result.axis = {std::cos(angle), settings.angle == 0.0 ? 0.0 : std::sin(angle)};
-    const double cosine = result.axis[0], pitch = settings.spacing * cosine;
-    const double jitter = jitter_room(settings, cosine);
-
-    // Traces at even places, moved; the first and the last stay, so that the mean spacing is as asked.
-    const double room = settings.to - settings.from;
-    const long count = std::max(1L, static_cast<long>(std::floor(room / settings.spacing + 1e-9)));
-    const double begin = settings.from + 0.5 * (room - static_cast<double>(count - 1) * settings.spacing);
-    const long beside = static_cast<long>(
-        std::ceil(0.5 * settings.width * std::abs(result.axis[1]) / cosine / settings.spacing));
     std::vector<Piece> pieces;
-    for (long k = -beside; k < count + beside; ++k) {
-        const bool outermost = k == -beside || k == count + beside - 1;
-        const double u =
-            random_uniform(field_seed(settings, Field::jitter), 0, static_cast<std::uint64_t>(k));
-        const double across = (begin + static_cast<double>(k) * settings.spacing) * cosine +
-                              (outermost ? 0.0 : (2.0 * u - 1.0) * std::min(jitter, 0.5 * pitch));
+    for (const double across : place_traces(settings, result.axis)) {
         const auto cuts = cut(settings, Region(settings, result.axis, across), result.traces.size(), across);
         if (cuts.empty()) continue;
         pieces.insert(pieces.end(), cuts.begin(), cuts.end());
         result.traces.push_back(across);
     }
-
     require(!pieces.empty(), "none fits between " + meters(settings.from) + " and " + meters(settings.to) +
                                  "; give them more room, or make them shorter");
 

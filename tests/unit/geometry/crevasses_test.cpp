@@ -81,10 +81,16 @@ TEST_CASE("crevasses have the mean depth, opening and spacing asked for, within 
     CrevasseSettings through = glacier();
     through.length = 0.0;
     check_statistics(through);
+    CrevasseSettings few_turned = glacier();
+    few_turned.to = 500.0;
+    few_turned.angle = -4.0;
+    few_turned.length = 0.0;
+    check_statistics(few_turned);
     for (std::uint64_t seed = 1; seed < 50; ++seed) {
         CrevasseSettings few = slice;
         few.seed = seed;
-        few.to = 600.0;  // six
+        few.to = 600.0;      // six
+        few.length = 300.0;  // means nothing in 2D
         const auto found = statistics(make_crevasses(few));
         CHECK(found.count == 6);
         CHECK(found.depth.mean == doctest::Approx(35.0));
