@@ -5,15 +5,16 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "core/error.h"
 #include "core/random.h"
 #include "geometry/noise.h"
+#include "geometry/notch.h"
 
 namespace tidewater::geometry {
 namespace {
 
-constexpr double tip_share = 0.125;  // radius of the tip, of the opening
 constexpr double variation = 1.0 / 3.0;
 constexpr double bridge_share = 1.0 / 6.0;  // whole ice between crevasses of a trace, of their length
 constexpr double least_bridge = 0.25;       // between traces, of the greatest opening
@@ -75,7 +76,8 @@ double jitter_room(const CrevasseSettings& s, double cosine) {
                              meters(coherence / plane_noise_slope * s.wavelength));
     require(room >= 0.0, "with openings up to " + meters(s.opening[1]) +
                              " they would overlap at a spacing of " + meters(s.spacing) +
-                             "; it must be at least " + meters(needed / cosine));
+                             "; it must be at least " + meters(needed / cosine) +
+                             (s.wander > 0.0 ? ", or wander less" : ""));
     return std::min(most_jitter * s.spacing * cosine, 0.5 * room);
 }
 
@@ -142,7 +144,7 @@ struct Piece {
 // Across the whole width, or cut where the seed says.
 std::vector<Piece> cut(const CrevasseSettings& s, const Region& region, std::size_t trace, double across) {
     std::vector<Piece> pieces;
-    if (s.length == 0.0) {
+    if (s.length == 0.0 || s.width == 0.0) {
         const Stretch all = region.y.shared(region.x);
         const bool whole = all.length() == region.y.length();
         if (!whole && all.length() < least_length * s.depth[1]) return {};
@@ -196,144 +198,62 @@ std::vector<CrevasseKnot> make_knots(const CrevasseSettings& s, const Piece& pie
 // How far the notch's outline moves per m along the trace, at most: its upper edges, and its tip's circle.
 double segment_slope(const CrevasseKnot& a, const CrevasseKnot& b, double step) {
     const double across = std::abs(b.across - a.across), half = 0.5 * std::abs(b.opening - a.opening);
-    const double radius = tip_share * (b.opening - a.opening), center = b.depth - a.depth - radius;
+    const double radius = Notch::tip_share * (b.opening - a.opening), center = b.depth - a.depth - radius;
     return std::max(across + half, std::hypot(across, center) + std::abs(radius)) / step;
 }
 
+struct Trail {
+    std::span<CrevasseKnot> knots;
+    double step;  // m between two
+};
+
+Trail trail(Crevasses& crevasses, const Crevasse& crevasse) {
+    const auto pieces = static_cast<double>(std::max<std::size_t>(crevasse.knots, 2) - 1);
+    return {std::span(crevasses.knots).subspan(crevasse.knot, crevasse.knots),
+            (crevasse.to - crevasse.from) / pieces};
+}
+
+// At each knot the greater of its two segments', then raised until it falls by no more than slope_growth.
 void bound_slopes(Crevasses& crevasses) {
-    const auto visit = [&](const auto& body) {
-        for (const Crevasse& crevasse : crevasses.list) {
-            const double step = (crevasse.to - crevasse.from) /
-                                static_cast<double>(std::max<std::size_t>(crevasse.knots, 2) - 1);
-            for (std::size_t n = 1; n < crevasse.knots; ++n)
-                body(crevasses.knots[crevasse.knot + n - 1], crevasses.knots[crevasse.knot + n], step);
-        }
-    };
-    visit([&](CrevasseKnot& a, CrevasseKnot& b, double step) {
-        const double slope = segment_slope(a, b, step);
-        a.slope = std::max(a.slope, slope);
-        b.slope = std::max(b.slope, slope);
-        crevasses.steepest = std::max(crevasses.steepest, slope);
-    });
-    if (crevasses.settings.width > 0.0)
-        crevasses.slope_growth = 4.0 * crevasses.steepest / crevasses.settings.wavelength;
-    const double growth = crevasses.slope_growth;
-    visit([&](const CrevasseKnot& a, CrevasseKnot& b, double step) {
-        b.slope = std::max(b.slope, a.slope - growth * step);
-    });
     for (const Crevasse& crevasse : crevasses.list) {
-        const double step =
-            (crevasse.to - crevasse.from) / static_cast<double>(std::max<std::size_t>(crevasse.knots, 2) - 1);
-        for (std::size_t n = crevasse.knots - 1; n > 0; --n) {
-            CrevasseKnot& before = crevasses.knots[crevasse.knot + n - 1];
-            before.slope = std::max(before.slope, crevasses.knots[crevasse.knot + n].slope - growth * step);
+        const auto [knots, step] = trail(crevasses, crevasse);
+        for (std::size_t n = 1; n < knots.size(); ++n) {
+            const double slope = segment_slope(knots[n - 1], knots[n], step);
+            knots[n - 1].slope = std::max(knots[n - 1].slope, slope);
+            knots[n].slope = slope;
+            crevasses.steepest = std::max(crevasses.steepest, slope);
         }
     }
-}
-
-// The section across the trace: half of it, q = |u| and b below the surface. The flank touches the circle
-// where its outward normal is n; along it, from the circle up to the edge (w/2, 0), lies `flank` m.
-struct Notch {
-    double half = 0.0, radius = 0.0, center = 0.0, flank = 0.0;
-    std::array<double, 2> normal{1.0, 0.0};
-
-    Notch(double depth, double opening)
-        : half(0.5 * opening), radius(tip_share * opening), center(depth - radius) {
-        const double squared = half * half + center * center;
-        if (squared <= 0.0) return;
-        flank = std::sqrt(std::max(squared - radius * radius, 0.0));
-        normal = {(radius * half + flank * center) / squared, (flank * half - radius * center) / squared};
+    if (crevasses.settings.width == 0.0) return;
+    crevasses.slope_growth = 4.0 * crevasses.steepest / crevasses.settings.wavelength;
+    for (const Crevasse& crevasse : crevasses.list) {
+        const auto [knots, step] = trail(crevasses, crevasse);
+        const double fall = crevasses.slope_growth * step;
+        for (std::size_t n = 1; n < knots.size(); ++n)
+            knots[n].slope = std::max(knots[n].slope, knots[n - 1].slope - fall);
+        for (std::size_t n = knots.size() - 1; n > 0; --n)
+            knots[n - 1].slope = std::max(knots[n - 1].slope, knots[n].slope - fall);
     }
+}
 
-    double signed_distance(double q, double b) const {
-        const double down = b - center;
-        const double along = normal[0] * down - normal[1] * q;  // the flank's way, downwards
-        if (along > 0.0) return std::hypot(q, down) - radius;
-        const double from_wall = q - half, from_flank = normal[0] * q + normal[1] * down - radius;
-        if (from_wall <= 0.0 && from_flank <= 0.0) return std::max(from_wall, from_flank);
-        if (along >= -flank) return from_flank;
-        return b <= 0.0 ? from_wall : std::hypot(from_wall, b);
+// At even places, moved; the first and the last stay, so that the mean spacing is as asked.
+std::vector<double> place_traces(const CrevasseSettings& s, const std::array<double, 2>& axis) {
+    const auto [cosine, sine] = axis;
+    const double jitter = jitter_room(s, cosine), room = s.to - s.from;
+    const long count = std::max(1L, static_cast<long>(std::floor(room / s.spacing + 1e-9)));
+    const double begin = s.from + 0.5 * (room - static_cast<double>(count - 1) * s.spacing);
+    const long beside = static_cast<long>(std::ceil(0.5 * s.width * std::abs(sine) / cosine / s.spacing));
+    std::vector<double> traces;
+    std::vector<std::uint64_t> counters;
+    for (long k = -beside; k < count + beside; ++k) {
+        const double across = (begin + static_cast<double>(k) * s.spacing) * cosine;
+        if (cut(s, Region(s, axis, across), 0, across).empty()) continue;
+        traces.push_back(across);
+        counters.push_back(static_cast<std::uint64_t>(k));
     }
-
-    // Twice the triangles of the surface's middle, the edge and the circle's centre, and the circle's sector.
-    double area() const {
-        const double below = std::atan2(normal[0], normal[1]);
-        return half * center + radius * flank + radius * radius * below;
-    }
-};
-
-// The crevasse's notch at a place along it.
-struct Section {
-    double across, slope;
-    Notch notch;
-};
-
-Section section(const Crevasses& crevasses, const Crevasse& crevasse, double along) {
-    const CrevasseKnot* knot = &crevasses.knots[crevasse.knot];
-    if (crevasse.knots == 1) return {knot->across, 0.0, Notch(knot->depth, knot->opening)};
-    const double last = static_cast<double>(crevasse.knots - 1);
-    const double place =
-        std::clamp((along - crevasse.from) / (crevasse.to - crevasse.from) * last, 0.0, last);
-    const double before = std::min(std::floor(place), last - 1.0), share = place - before;
-    knot += static_cast<std::size_t>(before);
-    const auto between = [&](double CrevasseKnot::*part) {
-        return knot[0].*part + share * (knot[1].*part - knot[0].*part);
-    };
-    return {between(&CrevasseKnot::across), between(&CrevasseKnot::slope),
-            Notch(between(&CrevasseKnot::depth), between(&CrevasseKnot::opening))};
-}
-
-// The distance in the section's plane, shortened by what the walls may turn on the way there. It changes
-// along the trace by at most `slope` per m; that slope holds at the place and grows with the way.
-double signed_distance(const Crevasses& crevasses, const Crevasse& crevasse, double across, double along,
-                       double below) {
-    const Section at = section(crevasses, crevasse, along);
-    const double flat = at.notch.signed_distance(std::abs(across - at.across), below);
-    const double slope = std::min(crevasses.steepest, at.slope + crevasses.slope_growth * std::abs(flat));
-    const double beyond = std::max({crevasse.from - along, along - crevasse.to, 0.0});
-    const bool closed = at.notch.half < 1e-9;
-    return std::max(flat / std::sqrt(1.0 + slope * slope), closed ? beyond : -infinite);
-}
-
-// To the nearest crevasse of a trace, if nearer than `best`.
-double nearest_of_trace(const Crevasses& crevasses, std::size_t trace, double across, double along,
-                        double below, double best) {
-    const auto begin = crevasses.list.begin() + static_cast<long>(crevasses.first[trace]);
-    const auto end = crevasses.list.begin() + static_cast<long>(crevasses.first[trace + 1]);
-    if (std::next(begin) == end)  // it may go on beyond its ends
-        return std::min(best, signed_distance(crevasses, *begin, across, along, below));
-    const auto next =
-        std::find_if(begin, end, [&](const Crevasse& crevasse) { return crevasse.to >= along; });
-    for (auto it = next; it != end && it->from - along < best; ++it)
-        best = std::min(best, signed_distance(crevasses, *it, across, along, below));
-    for (auto it = next; it != begin && along - std::prev(it)->to < best; --it)
-        best = std::min(best, signed_distance(crevasses, *std::prev(it), across, along, below));
-    return best;
-}
-
-CrevasseStatistics::Range range_of(const std::vector<double>& values) {
-    if (values.empty()) return {};
-    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-    return {sum / static_cast<double>(values.size()), *least, *greatest};
-}
-
-double volume(const Crevasses& crevasses, const Crevasse& crevasse, const Stretch& inside) {
-    if (crevasse.knots == 1) return section(crevasses, crevasse, 0.0).notch.area();
-    // Gauss's three points on each piece between knots.
-    constexpr std::array<std::array<double, 2>, 3> gauss{
-        {{0.5 - 0.3872983346207417, 5.0 / 18.0}, {0.5, 8.0 / 18.0}, {0.5 + 0.3872983346207417, 5.0 / 18.0}}};
-    const double step = (crevasse.to - crevasse.from) / static_cast<double>(crevasse.knots - 1);
-    double sum = 0.0;
-    for (std::size_t n = 0; n + 1 < crevasse.knots; ++n) {
-        const double from = crevasse.from + static_cast<double>(n) * step;
-        const Stretch piece = Stretch{from, from + step}.shared(inside);
-        if (piece.length() <= 0.0) continue;
-        for (const auto& [place, weight] : gauss)
-            sum += weight * piece.length() *
-                   section(crevasses, crevasse, piece.from + place * piece.length()).notch.area();
-    }
-    return sum;
+    for (std::size_t n = 1; n + 1 < traces.size(); ++n)
+        traces[n] += jitter * (2.0 * random_uniform(field_seed(s, Field::jitter), 0, counters[n]) - 1.0);
+    return traces;
 }
 
 }  // namespace
@@ -344,27 +264,15 @@ Crevasses make_crevasses(const CrevasseSettings& settings) {
     result.settings = settings;
     const double angle = settings.angle * std::numbers::pi / 180.0;
     result.axis = {std::cos(angle), settings.angle == 0.0 ? 0.0 : std::sin(angle)};
-    const double cosine = result.axis[0], pitch = settings.spacing * cosine;
-    const double jitter = jitter_room(settings, cosine);
-
-    // Traces at even places, moved; the first and the last stay, so that the mean spacing is as asked.
-    const double room = settings.to - settings.from;
-    const long count = std::max(1L, static_cast<long>(std::floor(room / settings.spacing + 1e-9)));
-    const double begin = settings.from + 0.5 * (room - static_cast<double>(count - 1) * settings.spacing);
-    const long beside = static_cast<long>(
-        std::ceil(0.5 * settings.width * std::abs(result.axis[1]) / cosine / settings.spacing));
     std::vector<Piece> pieces;
-    for (long k = -beside; k < count + beside; ++k) {
-        const bool outermost = k == -beside || k == count + beside - 1;
-        const double u =
-            random_uniform(field_seed(settings, Field::jitter), 0, static_cast<std::uint64_t>(k));
-        const double across = (begin + static_cast<double>(k) * settings.spacing) * cosine +
-                              (outermost ? 0.0 : (2.0 * u - 1.0) * std::min(jitter, 0.5 * pitch));
+    for (const double across : place_traces(settings, result.axis)) {
         const auto cuts = cut(settings, Region(settings, result.axis, across), result.traces.size(), across);
         if (cuts.empty()) continue;
         pieces.insert(pieces.end(), cuts.begin(), cuts.end());
         result.traces.push_back(across);
     }
+    require(!pieces.empty(), "none fits between " + meters(settings.from) + " and " + meters(settings.to) +
+                                 "; give them more room, or make them shorter");
 
     std::vector<double> depths, openings;
     for (const Piece& piece : pieces) {
@@ -387,50 +295,6 @@ Crevasses make_crevasses(const CrevasseSettings& settings) {
     }
     result.first.push_back(pieces.size());
     bound_slopes(result);
-    return result;
-}
-
-// Traces farther away than the nearest walls found, even if their distance is shortened, cannot be nearer.
-double signed_distance(const Crevasses& crevasses, double x, double y, double below) {
-    const auto [cosine, sine] = crevasses.axis;
-    const double across = x * cosine - (y - 0.5 * crevasses.settings.width) * sine;
-    const double along = x * sine + (y - 0.5 * crevasses.settings.width) * cosine;
-    const double reach = crevasses.settings.wander + 0.5 * crevasses.settings.opening[1];
-    const double shorten = 1.0 / std::sqrt(1.0 + crevasses.steepest * crevasses.steepest);
-    const auto least = [&](std::size_t trace) {
-        return shorten * (std::abs(crevasses.traces[trace] - across) - reach);
-    };
-    const auto next =
-        static_cast<std::size_t>(std::lower_bound(crevasses.traces.begin(), crevasses.traces.end(), across) -
-                                 crevasses.traces.begin());
-    double best = infinite;
-    std::size_t up = next, down = next;
-    while (true) {
-        const bool go_up = up < crevasses.traces.size() && least(up) < best;
-        const bool go_down = down > 0 && least(down - 1) < best;
-        if (!go_up && !go_down) return best;
-        if (go_up && (!go_down || least(up) <= least(down - 1)))
-            best = nearest_of_trace(crevasses, up++, across, along, below, best);
-        else
-            best = nearest_of_trace(crevasses, --down, across, along, below, best);
-    }
-}
-
-CrevasseStatistics statistics(const Crevasses& crevasses) {
-    CrevasseStatistics result;
-    result.count = crevasses.list.size();
-    std::vector<double> depths, openings, spacings;
-    for (const Crevasse& crevasse : crevasses.list) {
-        depths.push_back(crevasse.depth);
-        openings.push_back(crevasse.opening);
-        const Region region(crevasses.settings, crevasses.axis, crevasses.traces[crevasse.trace]);
-        result.volume += volume(crevasses, crevasse, region.y);
-    }
-    for (std::size_t n = 1; n < crevasses.traces.size(); ++n)
-        spacings.push_back((crevasses.traces[n] - crevasses.traces[n - 1]) / crevasses.axis[0]);
-    result.depth = range_of(depths);
-    result.opening = range_of(openings);
-    result.spacing = range_of(spacings);
     return result;
 }
 

@@ -29,7 +29,7 @@ struct CrevasseSettings {
     double angle = 0.0;                        // degrees from the y axis towards x, between −80 and 80
     double wander = 0.0;                       // m by which traces meander at most, to either side ...
     double wavelength = 200.0;                 // ... over this length, m
-    double length = 0.0;                       // m, mean along the trace; 0: across the whole width
+    double length = 0.0;                       // m, mean along the trace; 0: across the whole width; 3D only
     double from = 0.0, to = 0.0;               // m, x: traces stay between, wander aside
     double width = 0.0;                        // m; 0: 2D
     std::uint64_t seed = 1;

@@ -81,10 +81,16 @@ TEST_CASE("crevasses have the mean depth, opening and spacing asked for, within 
     CrevasseSettings through = glacier();
     through.length = 0.0;
     check_statistics(through);
+    CrevasseSettings few_turned = glacier();
+    few_turned.to = 500.0;
+    few_turned.angle = -4.0;
+    few_turned.length = 0.0;
+    check_statistics(few_turned);
     for (std::uint64_t seed = 1; seed < 50; ++seed) {
         CrevasseSettings few = slice;
         few.seed = seed;
-        few.to = 600.0;  // six
+        few.to = 600.0;      // six
+        few.length = 300.0;  // means nothing in 2D
         const auto found = statistics(make_crevasses(few));
         CHECK(found.count == 6);
         CHECK(found.depth.mean == doctest::Approx(35.0));
@@ -251,6 +257,13 @@ TEST_CASE("settings that leave no ice between crevasses are refused with what wo
     bad = slice;
     bad.to = 101.0;
     CHECK_THROWS_WITH_AS(make_crevasses(bad), doctest::Contains("no room"), SceneError);
+    bad = glacier();
+    bad.width = 80.0;
+    bad.angle = 80.0;
+    bad.to = 30.0;
+    bad.spacing = 200.0;
+    CHECK_THROWS_WITH_AS(make_crevasses(bad), doctest::Contains("none fits between 0.00 m and 30.00 m"),
+                         SceneError);
     bad = slice;
     bad.depth = {2.0, 20.0};
     CHECK_THROWS_WITH_AS(make_crevasses(bad), doctest::Contains("half the opening"), SceneError);
