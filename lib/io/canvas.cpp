@@ -37,6 +37,11 @@ vtkNew<vtkImageData> render_text(const std::string& text, double size) {
 
 }  // namespace
 
+double text_width(double size, const std::string& text) {
+    const auto image = render_text(text, size);
+    return image->GetDimensions()[0];
+}
+
 Canvas::Canvas(int width, int height, Color background) : width_(width), height_(height) {
     assert(width > 0 && height > 0);
     pixels_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), background);

@@ -20,6 +20,9 @@ struct Pixel {
 
 enum class Align { left, center, right };
 
+// Width of a line of text of this size, pixels.
+double text_width(double size, const std::string& text);
+
 // What is drawn lies over what was; parts outside are cut off.
 class Canvas {
 public:

@@ -79,10 +79,11 @@ Color scale_color(double share) {
     return scale[static_cast<std::size_t>(std::lround(255.0 * std::min(share, 1.0)))];
 }
 
-Color damage_color(double share) {
-    return from_oklab(between(to_oklab(palette::ice), to_oklab(palette::failed_ice),
-                              share > 0.0 ? std::min(share, 1.0) : 0.0));
+Color mixed(Color from, Color to, double share) {
+    return from_oklab(between(to_oklab(from), to_oklab(to), share > 0.0 ? std::min(share, 1.0) : 0.0));
 }
+
+Color damage_color(double share) { return mixed(palette::ice, palette::failed_ice, share); }
 
 Color shaded(Color color, double factor) {
     const auto part = [&](std::uint8_t value) {

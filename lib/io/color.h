@@ -21,6 +21,7 @@ inline constexpr Color rigid{226, 168, 92};
 inline constexpr Color ground{168, 152, 132};
 inline constexpr Color ice{214, 232, 240};
 inline constexpr Color failed_ice{98, 94, 92};
+inline constexpr Color water{84, 142, 190};
 }  // namespace palette
 
 // Lines that stay apart for all common kinds of colour blindness (Okabe & Ito 2008). index is taken modulo
@@ -35,6 +36,9 @@ Color scale_color(double share);
 // Colour of ice that has lost this share of its strength, clamped: from palette::ice to palette::failed_ice.
 // Where failed ice is as dark as water at scale_color, it is grey and the water is not.
 Color damage_color(double share);
+
+// From one colour to the other in equal steps, as distances in OKLab; share from 0 to 1, clamped.
+Color mixed(Color from, Color to, double share);
 
 // The colour with its light multiplied by `factor` >= 0; above 1 towards white.
 Color shaded(Color color, double factor);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/error.h"
 #include "io/height_raster.h"
@@ -11,73 +10,6 @@
 
 namespace tidewater::io {
 namespace {
-
-struct Places {
-    std::vector<double> x, y;
-};
-
-std::size_t index(int i, int j, int ny) {
-    return static_cast<std::size_t>(i) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(j);
-}
-
-// How the scene's lattice lies in the raster: (columns, rows) of the corners of its cells, each cell around
-// its point; corner (i, j) is low of point (i, j).
-class Lattice {
-public:
-    Lattice(const HeightRaster& raster, const ElevationMap& map, double spacing, int nx, int ny)
-        : nx_(nx), ny_(ny), map_(map), spacing_(spacing) {
-        for (int i = 0; i <= nx; ++i) {
-            for (int j = 0; j <= ny; ++j) {
-                const auto [east, north] = on_map(i - 0.5, j - 0.5);
-                corners_.x.push_back(east);
-                corners_.y.push_back(north);
-            }
-        }
-        raster.to_pixels(map.crs, corners_.x, corners_.y);
-    }
-
-    int nx() const { return nx_; }
-    int ny() const { return ny_; }
-    double spacing() const { return spacing_; }
-
-    std::array<double, 2> on_map(double i, double j) const {
-        const double azimuth = map_.azimuth * std::numbers::pi / 180.0;
-        const double x = i * spacing_, y = j * spacing_;
-        return {map_.origin[0] + x * std::sin(azimuth) - y * std::cos(azimuth),
-                map_.origin[1] + x * std::cos(azimuth) + y * std::sin(azimuth)};
-    }
-
-    // (column, row) at the shares s along x and t along y of the cell of point (i, j); (½, ½) is the point.
-    std::array<double, 2> in_raster(int i, int j, double s, double t) const {
-        const auto mixed = [&](const std::vector<double>& at) {
-            const double low = std::lerp(at[index(i, j, ny_ + 1)], at[index(i, j + 1, ny_ + 1)], t);
-            const double high = std::lerp(at[index(i + 1, j, ny_ + 1)], at[index(i + 1, j + 1, ny_ + 1)], t);
-            return std::lerp(low, high, s);
-        };
-        return {mixed(corners_.x), mixed(corners_.y)};
-    }
-
-    // Width and height of a pixel, m, at the lattice's middle, from the inverse of d(column, row)/d(x, y).
-    std::array<double, 2> pixel_size() const {
-        const int i = nx_ / 2, j = ny_ / 2;
-        const auto [left, below] = in_raster(i, j, 0.0, 0.5);
-        const auto [right, above] = in_raster(i, j, 1.0, 0.5);
-        const auto [low_column, low_row] = in_raster(i, j, 0.5, 0.0);
-        const auto [high_column, high_row] = in_raster(i, j, 0.5, 1.0);
-        const double a = right - left, b = high_column - low_column, c = above - below,
-                     d = high_row - low_row;
-        const double whole = std::abs(a * d - b * c);
-        return {spacing_ * std::hypot(d, c) / whole, spacing_ * std::hypot(a, b) / whole};
-    }
-
-    const Places& corners() const { return corners_; }
-
-private:
-    int nx_, ny_;
-    ElevationMap map_;
-    double spacing_;
-    Places corners_;
-};
 
 std::string extent_text(const std::array<double, 4>& extent) {
     const auto range = [](double low, double high) {
@@ -87,7 +19,7 @@ std::string extent_text(const std::array<double, 4>& extent) {
     return "x " + range(extent[0], extent[2]) + ", y " + range(extent[1], extent[3]);
 }
 
-std::string place_text(const Lattice& lattice, int i, int j) {
+std::string place_text(const MapLattice& lattice, int i, int j) {
     const auto [east, north] = lattice.on_map(i, j);
     return "(" + format_fixed(east, 1) + ", " + format_fixed(north, 1) +
            ") on the map (scene x = " + format_number(i * lattice.spacing()) +
@@ -95,7 +27,7 @@ std::string place_text(const Lattice& lattice, int i, int j) {
 }
 
 // The raster's pixels cover its extent; what lies a rounding outside counts as inside.
-void check_coverage(const HeightRaster& raster, const Lattice& lattice) {
+void check_coverage(const HeightRaster& raster, const MapLattice& lattice) {
     const RasterFacts& facts = raster.facts();
     constexpr double rounding = 1e-6;
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -129,9 +61,9 @@ void check_coverage(const HeightRaster& raster, const Lattice& lattice) {
                      "; move origin, turn azimuth, shorten the domain or take a larger raster");
 }
 
-RasterWindow read_window(const HeightRaster& raster, const Lattice& lattice, int margin) {
-    const auto [left, right] = std::ranges::minmax(lattice.corners().x);
-    const auto [top, bottom] = std::ranges::minmax(lattice.corners().y);
+RasterWindow read_window(const HeightRaster& raster, const MapLattice& lattice, int margin) {
+    const auto [left, right] = std::ranges::minmax(lattice.columns());
+    const auto [top, bottom] = std::ranges::minmax(lattice.rows());
     const auto down = [&](double place, int count) {
         return static_cast<int>(std::clamp(std::floor(place) - margin, 0.0, count - 1.0));
     };
@@ -170,7 +102,7 @@ void for_each_weight(const RasterFacts& facts, const RasterWindow& window, const
 
 // The same for all samples of a lattice point.
 template <class Use>
-void for_each_sample(const RasterFacts& facts, const RasterWindow& window, const Lattice& lattice,
+void for_each_sample(const RasterFacts& facts, const RasterWindow& window, const MapLattice& lattice,
                      int samples, int i, int j, const Use& use) {
     for (int a = 0; a < samples; ++a) {
         for (int b = 0; b < samples; ++b) {
@@ -215,7 +147,7 @@ double largest_hole(const RasterWindow& window, const std::vector<std::uint8_t>&
 }
 
 // Finds the holes in what the scene needs and, by the rule, refuses or fills them.
-void mend_holes(const HeightRaster& raster, const Lattice& lattice, NodataRule rule, RasterWindow& window,
+void mend_holes(const HeightRaster& raster, const MapLattice& lattice, NodataRule rule, RasterWindow& window,
                 ElevationReport& report) {
     std::vector<std::uint8_t> needed;  // the missing pixels on which lattice points rest
     std::array<int, 2> first{};
@@ -255,7 +187,7 @@ void mend_holes(const HeightRaster& raster, const Lattice& lattice, NodataRule r
                      ", with no rim around it to fill it from; move the scene or take another raster");
 }
 
-void check_height(const HeightRaster& raster, const Lattice& lattice, double elevation, int i, int j) {
+void check_height(const HeightRaster& raster, const MapLattice& lattice, double elevation, int i, int j) {
     if (elevation > -5000.0 && elevation < 9000.0) return;
     throw InputError(
         raster.facts().file + ": the elevation " + format_number(elevation) + " m at " +
@@ -289,7 +221,7 @@ ElevationGrid read_elevation(const std::string& path, const ElevationMap& map, d
                              NodataRule rule) {
     const HeightRaster raster(path);
     const RasterFacts& facts = raster.facts();
-    const Lattice lattice(raster, map, spacing, nx, ny);
+    const MapLattice lattice(raster, map, spacing, nx, ny);
     check_coverage(raster, lattice);
 
     ElevationGrid grid{spacing, nx, ny, {}, {}};

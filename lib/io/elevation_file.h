@@ -6,22 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace tidewater::io {
+#include "io/elevation_map.h"
 
-// Where the scene lies on the map. With the azimuth α of the scene's x axis,
-//
-//     E = E0 + x sin α − y cos α,  N = N0 + x cos α + y sin α,  z = elevation − datum
-//
-// so that y is to the left of x; α = 90° puts x along E and y along N. Distances on the map are taken as
-// distances on the ground: the map's own scale (in UTM within 0.04 % of 1) is left out.
-struct ElevationMap {
-    std::array<double, 2> origin{};  // (E, N) of the scene's x = y = 0, m
-    double azimuth = 90.0;           // °, from the map's grid north clockwise
-    double datum = 0.0;              // m, the elevation that is z = 0
-    // The map's coordinate reference system, in metres: "EPSG:3413", WKT or PROJ text. Empty: the file's own.
-    // Where the file has another one, places are turned into it (horizontally; heights stay as they are).
-    std::string crs = {};
-};
+namespace tidewater::io {
 
 enum class NodataRule {
     refuse,  // a hole is an error that says how many points, where, and the remedy nodata = "fill"
