@@ -6,6 +6,7 @@
 
 #include "geometry/front.h"
 #include "io/text.h"
+#include "terrain.h"
 
 namespace tidewater {
 namespace {
@@ -115,12 +116,7 @@ Glacier make_glacier(const scene::Scene& scene, const Solid& ground,
                         : box_solid(ice_box(scene));
     ice = geometry::with_front(std::move(ice), low, front, cliff, notch);
     const bool grounded = ground && (scene.ice.base == scene::IceBase::bed || surface);
-    if (surface) {
-        const auto field = std::make_shared<HeightField>(*surface);
-        const double within = 8.0 * scene.domain.cell_size;
-        ice = common(std::move(ice),
-                     [field, within](const Point& p) { return signed_distance(*field, p, within); });
-    }
+    if (surface) ice = common(std::move(ice), field_solid(*surface));
     if (grounded) ice = without(std::move(ice), ground);
     glacier.uncut = ice;
 

@@ -13,6 +13,8 @@ namespace {
 
 using geometry::HeightField;
 
+constexpr double reach_in_cells = 9.5;  // above a leaf's half diagonal and the band of a level set
+
 std::string length(double metres) { return io::format_fixed(metres, 1) + " m"; }
 
 HeightField read_field(const scene::Scene& scene, const std::string& file, std::string& report) {
@@ -127,14 +129,29 @@ Terrain read_terrain(const scene::Scene& scene) {
     return terrain;
 }
 
+// What lies so far above or below that the steepest slope leaves it out of a level set's reach is not looked
+// at closer.
+geometry::Solid field_solid(const HeightField& heights) {
+    double steepest = 0.0;
+    for (int i = 0; i < heights.nx; ++i) {
+        for (int j = 0; j < heights.ny; ++j) {
+            const auto slope = heights.slope((i + 0.5) * heights.spacing, (j + 0.5) * heights.spacing);
+            steepest = std::max(steepest, slope.norm());
+        }
+    }
+    const double within = reach_in_cells * heights.spacing, cosine = 1.0 / std::hypot(1.0, 2.0 * steepest);
+    return [field = std::make_shared<HeightField>(heights), within, cosine](const geometry::Point& p) {
+        const double above = p[2] - field->height(p[0], p[1]);
+        if (std::abs(above) * cosine >= within) return std::copysign(within, above);
+        return signed_distance(*field, p, within);
+    };
+}
+
 geometry::Solid ground_solid(const scene::Scene& scene, const Ground& ground) {
     if (!ground.exists()) return {};
     if (ground.profile && !ground.profile->smooth)
         return [profile = *ground.profile](const geometry::Point& p) { return signed_distance(profile, p); };
-    const auto field =
-        std::make_shared<HeightField>(ground.field ? *ground.field : at_node_lines(scene, *ground.profile));
-    const double within = 8.0 * scene.domain.cell_size;
-    return [field, within](const geometry::Point& p) { return signed_distance(*field, p, within); };
+    return field_solid(ground.field ? *ground.field : at_node_lines(scene, *ground.profile));
 }
 
 }  // namespace tidewater
