@@ -66,12 +66,14 @@ double wave_distance(const analysis::InitialWave& wave, const Point& point) {
     return (point[2] - wave.depth - analysis::elevation(wave, point[0])) / std::hypot(1.0, slope);
 }
 
-Solid water_solid(const scene::Scene& scene, const Bodies& bodies) {
-    Solid water = box_solid(bodies.water_box);
-    if (scene.has("wave")) {
-        water = common(std::move(water),
-                       [wave = initial_wave(scene)](const Point& p) { return wave_distance(wave, p); });
-    }
+Solid open_water(const scene::Scene& scene, const Box& box) {
+    if (!scene.has("wave")) return box_solid(box);
+    return common(box_solid(box),
+                  [wave = initial_wave(scene)](const Point& p) { return wave_distance(wave, p); });
+}
+
+Solid water_solid(const Bodies& bodies) {
+    Solid water = bodies.open_water;
     for (const BoxBody& body : bodies.boxes) water = without(std::move(water), box_solid(body.box));
     if (bodies.ice) water = without(std::move(water), bodies.ice->whole);
     return without(std::move(water), bodies.ground);
@@ -142,7 +144,8 @@ Bodies make_bodies(const scene::Scene& scene) {
     if (scene.has("bed")) bodies.ground_volume = ground_in(scene, bodies, bodies.tank);
     if (!scene.has("water")) return bodies;
     bodies.water_box = upright_box(scene, water_size(scene));
-    bodies.water = water_solid(scene, bodies);
+    bodies.open_water = open_water(scene, bodies.water_box);
+    bodies.water = water_solid(bodies);
     bodies.water_volume = volume_of_water(scene, bodies);
     return bodies;
 }

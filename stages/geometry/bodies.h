@@ -25,6 +25,7 @@ struct Bodies {
 
     geometry::Box tank, water_box;  // the latter holds the water
     geometry::Solid water;          // empty without it
+    geometry::Solid open_water;     // and as it would be without anything in it
     double ground_volume = 0.0;     // within the tank, m³, in 2D m²
     double water_volume = 0.0;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "common/tank.h"
 #include "io/level_set_files.h"
@@ -26,11 +28,21 @@ std::uint8_t number_of(const std::string& name) {
 io::Substance substance_at(const Bodies& bodies, const geometry::Point& at) {
     for (const BoxBody& body : bodies.boxes) {
         if (signed_distance(body.box, at) > 0.0) continue;
-        return body.block == nullptr ? io::Substance::ground : io::Substance::block;
+        return body.block == nullptr ? io::Substance::bed : io::Substance::rigid;
     }
-    if (bodies.ground && bodies.ground(at) <= 0.0) return io::Substance::ground;
+    if (bodies.ground && bodies.ground(at) <= 0.0) return io::Substance::bed;
     if (bodies.ice && bodies.ice->shown(at) <= 0.0) return io::Substance::ice;
-    return bodies.water && bodies.water(at) <= 0.0 ? io::Substance::water : io::Substance::nothing;
+    return bodies.water && bodies.open_water(at) <= 0.0 ? io::Substance::water : io::Substance::nothing;
+}
+
+// To the nearest of them, m.
+double distance_to_any(const Bodies& bodies, const geometry::Point& at) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const BoxBody& body : bodies.boxes) nearest = std::min(nearest, signed_distance(body.box, at));
+    if (bodies.ground) nearest = std::min(nearest, bodies.ground(at));
+    if (bodies.ice) nearest = std::min(nearest, bodies.ice->shown(at));
+    if (bodies.water) nearest = std::min(nearest, bodies.open_water(at));
+    return nearest;
 }
 
 double ground_height(const scene::Scene& scene, const Bodies& bodies, double x, double y) {
@@ -38,20 +50,22 @@ double ground_height(const scene::Scene& scene, const Bodies& bodies, double x, 
     return scene.has("shelf") && x <= scene.shelf.length ? std::max(bed, scene.shelf.height) : bed;
 }
 
-// The uppermost that is met on the way down, in steps of half a cell, then by bisection.
+// The uppermost that is met on the way down: no step is longer than what is nearest.
 io::Top top_at(const scene::Scene& scene, const Bodies& bodies, double x, double y) {
-    const double step = 0.5 * scene.domain.cell_size;
-    io::Top top{.bed = ground_height(scene, bodies, x, y)};
-    double z = scene.domain.size.back();
-    while (z > 0.0 && substance_at(bodies, {x, y, z}) == io::Substance::nothing) z -= step;
-    top.substance = substance_at(bodies, {x, y, std::max(z, 0.0)});
-    if (top.substance == io::Substance::nothing) top.substance = io::Substance::ground;  // the tank's bottom
-    double below = z, above = z + step;
-    for (int n = 0; n < 12; ++n) {
-        const double middle = 0.5 * (below + above);
-        (substance_at(bodies, {x, y, middle}) == io::Substance::nothing ? above : below) = middle;
+    const double least_step = scene.domain.cell_size / 16.0;
+    double below = scene.domain.size.back(), above = below;
+    for (double room = least_step; below > 0.0 && room > 0.0;) {
+        room = distance_to_any(bodies, {x, y, below});
+        if (room > 0.0) above = std::exchange(below, std::max(below - std::max(room, least_step), 0.0));
     }
-    top.height = std::max(below, 0.0);
+    for (int n = 0; n < 30; ++n) {
+        const double middle = 0.5 * (below + above);
+        (distance_to_any(bodies, {x, y, middle}) > 0.0 ? above : below) = middle;
+    }
+    io::Top top{.substance = substance_at(bodies, {x, y, below}),
+                .height = below,
+                .bed = ground_height(scene, bodies, x, y)};
+    if (top.substance == io::Substance::nothing) top.substance = io::Substance::bed;  // the tank's bottom
     return top;
 }
 
@@ -64,7 +78,7 @@ std::vector<io::Measure> measures_of(const scene::Scene& scene, const Bodies& bo
     const double level = scene.water.depth;
     if (bodies.ice) {
         const Glacier& ice = *bodies.ice;
-        const double x = ice.front - 0.25 * (ice.front - ice.extent.low[0]);
+        const double x = ice.front - 0.75 * (ice.front - ice.extent.low[0]);
         const bool cliff = water && ice.base < level && level < ice.top;
         if (cliff) {
             measures.push_back({x, level, ice.top, "cliff " + metres(ice.top - level)});

@@ -108,7 +108,51 @@ HeightField at_node_lines(const scene::Scene& scene, const geometry::Profile& pr
     return field;
 }
 
+// The least and the greatest height within `reach` lattice points of each point, along x and y.
+struct Range {
+    std::vector<double> least, greatest;
+};
+
+Range range_around(const HeightField& field, int reach) {
+    Range range{field.heights, field.heights};
+    for (const bool along_x : {true, false}) {
+        const Range before = range;
+        const int stride = along_x ? field.ny : 1, count = along_x ? field.nx : field.ny;
+        for (int n = 0; n < field.nx * field.ny; ++n) {
+            const int place = along_x ? n / field.ny : n % field.ny;
+            for (int m = std::max(place - reach, 0); m <= std::min(place + reach, count - 1); ++m) {
+                const auto at = static_cast<std::size_t>(n + (m - place) * stride),
+                           to = static_cast<std::size_t>(n);
+                range.least[to] = std::min(range.least[to], before.least[at]);
+                range.greatest[to] = std::max(range.greatest[to], before.greatest[at]);
+            }
+        }
+    }
+    return range;
+}
+
 }  // namespace
+
+geometry::Solid field_solid(const HeightField& heights) {
+    struct Data {
+        HeightField field;
+        Range range;
+    };
+    const double within = reach_in_cells * heights.spacing;
+    const auto data =
+        std::make_shared<const Data>(heights, range_around(heights, static_cast<int>(reach_in_cells) + 2));
+    return [data, within](const geometry::Point& p) {
+        const HeightField& field = data->field;
+        const auto nearest = [&](double place, int count) {
+            return static_cast<std::size_t>(std::clamp(std::lround(place / field.spacing), 0L, count - 1L));
+        };
+        const std::size_t n =
+            nearest(p[0], field.nx) * static_cast<std::size_t>(field.ny) + nearest(p[1], field.ny);
+        if (p[2] - data->range.greatest[n] >= within) return within;
+        if (data->range.least[n] - p[2] >= within) return -within;
+        return signed_distance(field, p, within);
+    };
+}
 
 Terrain read_terrain(const scene::Scene& scene) {
     Terrain terrain;
@@ -127,24 +171,6 @@ Terrain read_terrain(const scene::Scene& scene) {
         check_surface(scene, terrain.ground, *terrain.surface, terrain.report);
     }
     return terrain;
-}
-
-// What lies so far above or below that the steepest slope leaves it out of a level set's reach is not looked
-// at closer.
-geometry::Solid field_solid(const HeightField& heights) {
-    double steepest = 0.0;
-    for (int i = 0; i < heights.nx; ++i) {
-        for (int j = 0; j < heights.ny; ++j) {
-            const auto slope = heights.slope((i + 0.5) * heights.spacing, (j + 0.5) * heights.spacing);
-            steepest = std::max(steepest, slope.norm());
-        }
-    }
-    const double within = reach_in_cells * heights.spacing, cosine = 1.0 / std::hypot(1.0, 2.0 * steepest);
-    return [field = std::make_shared<HeightField>(heights), within, cosine](const geometry::Point& p) {
-        const double above = p[2] - field->height(p[0], p[1]);
-        if (std::abs(above) * cosine >= within) return std::copysign(within, above);
-        return signed_distance(*field, p, within);
-    };
 }
 
 geometry::Solid ground_solid(const scene::Scene& scene, const Ground& ground) {

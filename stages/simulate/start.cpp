@@ -181,10 +181,12 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
                                   .jitter = scene.particles.jitter,
                                   .seed = scene.seed,
                                   .stream = start.bodies.size()};
+        if (scene.particles.pattern == scene::Pattern::blue_noise)
+            seeding.pattern = geometry::SeedPattern::blue_noise;
+        if (body.material == Material::ice) seeding.keep = cuts.keep();
         const bool wave = scene.has("wave") && water;
         if (wave) displace_lattice(initial_wave(scene), scene.domain.size.front(), seeding);
         body.points = geometry::seed_points<D>(*grid, seeding);
-        if (const auto keep = cuts.keep(); keep && body.material == Material::ice) std::erase_if(body.points, [&](const auto& x) { return !keep({x[0], D == 3 ? x[1] : 0.0, x[D - 1]}); });
         if (body.material == Material::ice && cuts.cracks) crack<D>(*cuts.cracks, scene, body);
         if (wave) start_wave<D>(initial_wave(scene), body);
         count += body.points.size();
