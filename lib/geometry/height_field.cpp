@@ -154,18 +154,34 @@ double signed_distance(const HeightField& field, const Point& point, double with
     constexpr double far = std::numeric_limits<double>::infinity();
     const auto begin = [&](int patch) { return patch < 0 ? -far : patch; };
     const auto end = [&](int patch, int count) { return patch >= count - 1 ? far : patch + 1.0; };
+    const double w = point[2] / field.spacing;
     const auto look_at = [&](int i, int j) {
         const double u0 = clipped(begin(i), u), u1 = clipped(end(i, field.nx), u);
         const double v0 = clipped(begin(j), v), v1 = clipped(end(j, field.ny), v);
-        if (std::hypot(std::clamp(u, u0, u1) - u, std::clamp(v, v0, v1) - v) >= distance) return;
+        const double du = std::clamp(u, u0, u1) - u, dv = std::clamp(v, v0, v1) - v;
+        const auto [low, high] = std::minmax({at_lattice(field, i, j), at_lattice(field, i, j + 1),
+                                              at_lattice(field, i + 1, j), at_lattice(field, i + 1, j + 1)});
+        const double dw = std::max({low / field.spacing - w, w - high / field.spacing, 0.0});
+        if (du * du + dv * dv + dw * dw >= distance * distance) return;  // not even the patch's box is nearer
         Patch part = part_of_patch(field, i, j, u0, v0, u1, v1);
         for (double* z : {&part.z00, &part.z01, &part.z10, &part.z11}) *z /= field.spacing;
-        distance = std::min(distance, least_distance(part, u, v, point[2] / field.spacing));
+        distance = std::min(distance, least_distance(part, u, v, w));
     };
-    look_at(patch_at(u, field.nx), patch_at(v, field.ny));
-    const double left = distance;
-    for (int i = patch_at(u - left, field.nx); i <= patch_at(u + left, field.nx); ++i) {
-        for (int j = patch_at(v - left, field.ny); j <= patch_at(v + left, field.ny); ++j) look_at(i, j);
+    // Rows of patches from the nearest on, of each those that are within the distance found so far.
+    const int i0 = patch_at(u, field.nx);
+    look_at(i0, patch_at(v, field.ny));
+    for (int away = 0;; ++away) {
+        bool within_reach = false;
+        for (const int i : {i0 - away, i0 + away}) {
+            if (i < -1 || i >= field.nx || (away == 0 && within_reach)) continue;
+            const double du = i < i0 ? u - end(i, field.nx) : i > i0 ? begin(i) - u : 0.0;
+            if (du >= distance) continue;
+            within_reach = true;
+            const double half = std::sqrt(distance * distance - du * du);
+            const int last = patch_at(v + half, field.ny);
+            for (int j = patch_at(v - half, field.ny); j <= last; ++j) look_at(i, j);
+        }
+        if (!within_reach) break;
     }
     return field.spacing * (above < 0.0 ? -distance : distance);
 }

@@ -54,11 +54,13 @@ struct Ramp {
 };
 
 // The lesser of `least` and the distance from the point to the part of the ramp between t0 and t1. The part
-// lies within |s″|/8 (t1 − t0)² ≤ ¾ (t1 − t0)² times the rise of its chord, so parts whose chord is farther
-// than that beyond the least are left out, and the others are halved, the nearer half first.
+// lies in the box of its ends and within |s″|/8 (t1 − t0)² ≤ ¾ (t1 − t0)² times the rise of its chord; parts
+// that are farther by either are left out, and the others are halved, the nearer half first.
 double least_distance(const Ramp& ramp, double t0, double t1, const Point2& point, double least) {
+    const Point2 from = ramp.at(t0), to = ramp.at(t1);
+    if ((point.cwiseMax(from.cwiseMin(to)).cwiseMin(from.cwiseMax(to)) - point).norm() >= least) return least;
     const double off = 0.75 * (t1 - t0) * (t1 - t0) * std::abs(ramp.rise[1]);
-    const double nearest = distance_to_segment(ramp.at(t0), ramp.at(t1), point) - off;
+    const double nearest = distance_to_segment(from, to, point) - off;
     if (nearest >= least) return least;
     if (off <= 1e-9 * ramp.rise.lpNorm<1>()) return std::max(nearest, 0.0);
     const double middle = 0.5 * (t0 + t1);
@@ -103,13 +105,15 @@ double signed_distance(const Profile& profile, const Point& point) {
     const Point2 at(point[0], point[2]);
     const auto corner = [&](std::size_t i) { return Point2(profile.x[i], profile.z[i]); };
     const std::size_t last = profile.x.size() - 1;
+    const double above = at[1] - profile.height(at[0]);
     double distance = std::min(distance_to_end(corner(0), -1.0, at), distance_to_end(corner(last), 1.0, at));
+    if (profile.smooth) distance = std::min(distance, std::abs(above));  // no farther: leaves out most ramps
     for (std::size_t i = 0; i < last; ++i) {
         distance = profile.smooth
                        ? least_distance({corner(i), corner(i + 1) - corner(i)}, 0.0, 1.0, at, distance)
                        : std::min(distance, distance_to_segment(corner(i), corner(i + 1), at));
     }
-    return at[1] < profile.height(at[0]) ? -distance : distance;
+    return above < 0.0 ? -distance : distance;
 }
 
 double area_below(const Profile& profile, double length, double top) {

@@ -21,7 +21,7 @@ inline constexpr Color rigid{226, 168, 92};
 inline constexpr Color ground{168, 152, 132};
 inline constexpr Color ice{214, 232, 240};
 inline constexpr Color failed_ice{98, 94, 92};
-inline constexpr Color water{84, 142, 190};
+inline constexpr Color water{58, 112, 164};
 }  // namespace palette
 
 // Lines that stay apart for all common kinds of colour blindness (Okabe & Ito 2008). index is taken modulo

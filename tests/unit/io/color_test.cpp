@@ -68,3 +68,13 @@ TEST_CASE("shading darkens to black and lightens to white") {
     CHECK(shaded(color, 2.0) == Color{255, 255, 255});
     CHECK(hex(Color{10, 27, 255}) == "#0a1bff");
 }
+
+TEST_CASE("a mixture of two colours begins and ends with them, and is even between") {
+    const Color from{206, 226, 240}, to{18, 52, 108};
+    CHECK(mixed(from, to, 0.0) == from);
+    CHECK(mixed(from, to, 1.0) == to);
+    CHECK(mixed(from, to, -3.0) == from);
+    CHECK(mixed(from, to, 7.0) == to);
+    const double middle = 0.5 * (to_oklab(from)[0] + to_oklab(to)[0]);
+    CHECK(to_oklab(mixed(from, to, 0.5))[0] == doctest::Approx(middle).epsilon(0.01));
+}

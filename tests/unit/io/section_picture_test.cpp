@@ -158,3 +158,15 @@ TEST_CASE("scenes without water, without ice and with nothing at all are drawn")
         CHECK(draw_section(settings).canvas.width() > 0);
     }
 }
+
+TEST_CASE(
+    "what a section shows side by side differs in lightness, so that it reads in grey and to everyone") {
+    const std::array substances{Substance::nothing, Substance::bed, Substance::water, Substance::ice,
+                                Substance::rigid};
+    for (const Substance a : substances) {
+        for (const Substance b : substances) {
+            if (a == b) continue;
+            CHECK(std::abs(to_oklab(substance_color(a))[0] - to_oklab(substance_color(b))[0]) > 0.05);
+        }
+    }
+}
