@@ -22,6 +22,7 @@ HeightField height_field(const openvdb::FloatGrid& grid) {
     if (box.empty() || box.min() != openvdb::Coord(0, 0, 0) || box.max().z() != 0)
         throw InputError("grid '" + grid.getName() + "' holds no heights; run tidewater-geometry again");
     HeightField field;
+    field.heights.clear();
     field.spacing = grid.voxelSize().x();
     field.nx = box.max().x() + 1;
     field.ny = box.max().y() + 1;

@@ -142,33 +142,39 @@ void draw_particles(Canvas& canvas, const PictureParticles& particles, const Pic
     }
 }
 
-// The ground as a filled shape from the tank's bottom up.
-void draw_ground(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
+// Height of the ground between its corners, which rise in x; level beyond them.
+double ground_at(const PictureSettings& settings, double place) {
     const auto& x = settings.ground_x;
     const auto& z = settings.ground_z;
-    if (settings.dimension != 2 || x.empty()) return;
-    const auto piece = [&](double from, double z_from, double to, double z_to) {
-        const double left = std::max(from, settings.low[0]), right = std::min(to, settings.high[0]);
-        if (left >= right) return;
-        const double bottom = settings.low[2];
-        const auto height = [&](double at) {
-            return std::clamp(z_from + (z_to - z_from) * (at - from) / (to - from), bottom, settings.high[2]);
-        };
-        const Pixel a = layout.view.project({left, 0.0, bottom});
-        const Pixel b = layout.view.project({right, 0.0, bottom});
-        const Pixel c = layout.view.project({right, 0.0, height(right)});
-        const Pixel d = layout.view.project({left, 0.0, height(left)});
-        for (int column = static_cast<int>(std::floor(a.x)); column < b.x; ++column) {
-            const double from_x = std::max(a.x, static_cast<double>(column));
-            const double to_x = std::min(b.x, column + 1.0);
-            const double top = d.y + (c.y - d.y) * (0.5 * (from_x + to_x) - a.x) / (b.x - a.x);
-            canvas.rectangle({from_x, top}, {to_x, a.y}, palette::ground);
-        }
-        canvas.line(d, c, 1.5 * layout.unit, palette::ink);
+    const auto next = static_cast<std::size_t>(std::ranges::upper_bound(x, place) - x.begin());
+    if (next == 0) return z.front();
+    if (next == x.size()) return z.back();
+    return z[next - 1] + (z[next] - z[next - 1]) * (place - x[next - 1]) / (x[next] - x[next - 1]);
+}
+
+// The ground as a filled shape from the tank's bottom up, a column of pixels at a time.
+void draw_ground(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
+    if (settings.dimension != 2 || settings.ground_x.empty()) return;
+    const double bottom = settings.low[2];
+    const Pixel left = layout.view.project({settings.low[0], 0.0, bottom});
+    const Pixel right = layout.view.project({settings.high[0], 0.0, bottom});
+    const auto top = [&](double pixel) {
+        const double share = std::clamp((pixel - left.x) / (right.x - left.x), 0.0, 1.0);
+        const double place = settings.low[0] + share * (settings.high[0] - settings.low[0]);
+        return layout.view
+            .project({place, 0.0, std::clamp(ground_at(settings, place), bottom, settings.high[2])})
+            .y;
     };
-    piece(std::min(x.front(), settings.low[0]) - 1.0, z.front(), x.front(), z.front());
-    for (std::size_t i = 1; i < x.size(); ++i) piece(x[i - 1], z[i - 1], x[i], z[i]);
-    piece(x.back(), z.back(), std::max(x.back(), settings.high[0]) + 1.0, z.back());
+    for (int column = static_cast<int>(std::floor(left.x)); column < right.x; ++column) {
+        const double from = std::max(left.x, static_cast<double>(column)),
+                     to = std::min(right.x, column + 1.0);
+        canvas.rectangle({from, top(0.5 * (from + to))}, {to, left.y}, palette::ground);
+    }
+    constexpr double piece = 4.0;  // pixels: the line on top
+    for (double from = left.x; from < right.x; from += piece) {
+        const double to = std::min(from + piece, right.x);
+        canvas.line({from, top(from)}, {to, top(to)}, 1.5 * layout.unit, palette::ink);
+    }
 }
 
 void draw_scale(Canvas& canvas, const PictureSettings& settings, const Layout& layout) {
