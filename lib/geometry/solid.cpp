@@ -10,16 +10,29 @@
 namespace tidewater::geometry {
 namespace {
 
+// Share of a cell that lies below a plane at the body's value and slope in its middle; the slope is found by
+// differences, since a body's function may rise more slowly than the distance.
+double share_below(const Solid& solid, double value, const Point& middle, const Point& edges, int dimension) {
+    double slope2 = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (dimension == 2 && axis == 1) continue;
+        const double step = 0.25 * edges[axis];
+        const double rise =
+            solid(middle + step * Point::Unit(axis)) - solid(middle - step * Point::Unit(axis));
+        slope2 += rise * rise / (4.0 * step * step);
+    }
+    if (slope2 == 0.0) return value <= 0.0 ? 1.0 : 0.0;
+    const double width = std::pow(edges[0] * edges[2] * (dimension == 3 ? edges[1] : 1.0), 1.0 / dimension);
+    return std::clamp(0.5 - value / (std::sqrt(slope2) * width), 0.0, 1.0);
+}
+
 // Share of a cell (its middle, its edges) that is inside.
 double inside_share(const Solid& solid, const Point& middle, const Point& edges, int levels, int dimension) {
-    const double distance = solid(middle), reach = 0.5 * edges.norm();
+    const double distance = solid(middle);
+    const double reach = 0.5 * (dimension == 3 ? edges.norm() : std::hypot(edges[0], edges[2]));
     if (distance <= -reach) return 1.0;
     if (distance >= reach) return 0.0;
-    if (levels == 0) {
-        const double width =
-            std::pow(edges[0] * edges[2] * (dimension == 3 ? edges[1] : 1.0), 1.0 / dimension);
-        return std::clamp(0.5 - distance / width, 0.0, 1.0);
-    }
+    if (levels == 0) return share_below(solid, distance, middle, edges, dimension);
     double sum = 0.0;
     const int halves = 1 << dimension;
     for (int n = 0; n < halves; ++n) {

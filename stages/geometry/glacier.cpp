@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "geometry/front.h"
+#include "geometry/height_solid.h"
 #include "io/text.h"
-#include "terrain.h"
 
 namespace tidewater {
 namespace {
@@ -65,12 +65,26 @@ Solid crack_solid(const geometry::Cracks& cracks, double width) {
     return [finder, width](const Point& point) { return finder->wall_distance(point) - 0.5 * width; };
 }
 
-// Along the vertical at the front.
-void measure_front(const scene::Scene& scene, Glacier& glacier) {
-    const double level = scene.has("water") ? scene.water.depth : 0.5 * (glacier.base + glacier.top);
-    const double z =
-        std::clamp(level, scene.ice.corner.back(), scene.ice.corner.back() + scene.ice.size.back());
-    glacier.front = front_of(scene, z);
+// The greatest x of the ice at a height and mid-width, to a thousandth of a cell; the rear if there is none.
+double front_at_height(const scene::Scene& scene, const Glacier& glacier, double z) {
+    const double y = scene.dimension == 2 ? 0.0 : 0.5 * scene.domain.size[1];
+    const double step = 0.25 * scene.domain.cell_size, rear = glacier.extent.low[0];
+    double inside = glacier.extent.high[0];
+    while (inside > rear && glacier.uncut({inside, y, z}) > 0.0) inside -= step;
+    double outside = inside + step;
+    for (int n = 0; n < 8; ++n) {
+        const double middle = 0.5 * (inside + outside);
+        (glacier.uncut({middle, y, z}) > 0.0 ? outside : inside) = middle;
+    }
+    return std::max(inside, rear);
+}
+
+void measure_front(const scene::Scene& scene, bool surface, Glacier& glacier) {
+    const double level =
+        scene.has("water") ? scene.water.depth : 0.5 * (glacier.extent.low[2] + glacier.extent.high[2]);
+    const double z = std::clamp(level, glacier.extent.low[2], glacier.extent.high[2]);
+    glacier.front =
+        surface ? front_at_height(scene, glacier, z + scene.domain.cell_size) : front_of(scene, z);
 }
 
 // Where the surface lies on the vertical between a height inside and one outside, m.
@@ -91,7 +105,8 @@ void measure_height(const scene::Scene& scene, Glacier& glacier) {
     const double cell = scene.domain.cell_size, y = scene.dimension == 2 ? 0.0 : 0.5 * scene.domain.size[1];
     const double low = glacier.extent.low[2] - cell, high = glacier.extent.high[2] + cell;
     glacier.base = high, glacier.top = low;
-    for (double x = glacier.front - 0.1 * scene.ice.size.front(); x < glacier.front; x += cell) {
+    for (double x = glacier.front - 0.1 * (glacier.front - glacier.extent.low[0]); x < glacier.front;
+         x += cell) {
         for (double z = low; z < high; z += 0.25 * cell) {
             if (glacier.uncut({x, y, z}) > 0.0) continue;
             if (z < glacier.base) glacier.base = height_between(glacier.uncut, {x, y, z}, z - 0.25 * cell);
@@ -116,7 +131,7 @@ Glacier make_glacier(const scene::Scene& scene, const Solid& ground,
                         : box_solid(ice_box(scene));
     ice = geometry::with_front(std::move(ice), low, front, cliff, notch);
     const bool grounded = ground && (scene.ice.base == scene::IceBase::bed || surface);
-    if (surface) ice = common(std::move(ice), field_solid(*surface));
+    if (surface) ice = common(std::move(ice), geometry::below(*surface));
     if (grounded) ice = without(std::move(ice), ground);
     glacier.uncut = ice;
 
@@ -140,7 +155,7 @@ Glacier make_glacier(const scene::Scene& scene, const Solid& ground,
     const double width = dimension == 2 ? 1.0 : scene.ice.size[1];
     glacier.uncut_volume = exact ? width * geometry::area(ice_outline(scene)) : measured(glacier.uncut);
     glacier.volume = glacier.crevasses ? measured(glacier.whole) : glacier.uncut_volume;
-    measure_front(scene, glacier);
+    measure_front(scene, surface.has_value(), glacier);
     measure_height(scene, glacier);
     return glacier;
 }

@@ -25,7 +25,7 @@ struct Glacier {
 
 // Levels below a cell by which volumes are found (geometry/solid.h): in 2D to 1e-5, in 3D to 1e-4 of a
 // glacier.
-inline int volume_levels(int dimension) { return dimension == 2 ? 5 : 3; }
+inline int volume_levels(int dimension) { return dimension == 2 ? 4 : 2; }
 
 // `ground`: of the ground, empty without; `surface`: of an elevation model, if the scene names one.
 Glacier make_glacier(const scene::Scene& scene, const geometry::Solid& ground,

@@ -66,19 +66,20 @@ io::Top top_at(const scene::Scene& scene, const Bodies& bodies, double x, double
                 .height = below,
                 .bed = ground_height(scene, bodies, x, y)};
     if (top.substance == io::Substance::nothing) top.substance = io::Substance::bed;  // the tank's bottom
+    if (top.substance == io::Substance::water && !scene.has("wave")) top.height = scene.water.depth;
     return top;
 }
 
 std::string metres(double length) { return io::format_fixed(length, 0) + " m"; }
 
-// Cliff and ice below the water behind the front, the water's greatest depth before it.
+// Cliff and ice below the water before the front, the water's greatest depth before it.
 std::vector<io::Measure> measures_of(const scene::Scene& scene, const Bodies& bodies) {
     std::vector<io::Measure> measures;
     const bool water = scene.has("water");
     const double level = scene.water.depth;
     if (bodies.ice) {
         const Glacier& ice = *bodies.ice;
-        const double x = ice.front - 0.75 * (ice.front - ice.extent.low[0]);
+        const double x = ice.extent.high[0] + 0.02 * scene.domain.size[0];
         const bool cliff = water && ice.base < level && level < ice.top;
         if (cliff) {
             measures.push_back({x, level, ice.top, "cliff " + metres(ice.top - level)});

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "core/error.h"
+#include "geometry/height_solid.h"
 #include "io/elevation_file.h"
 #include "io/text.h"
 
@@ -12,8 +12,6 @@ namespace tidewater {
 namespace {
 
 using geometry::HeightField;
-
-constexpr double reach_in_cells = 9.5;  // above a leaf's half diagonal and the band of a level set
 
 std::string length(double metres) { return io::format_fixed(metres, 1) + " m"; }
 
@@ -108,51 +106,7 @@ HeightField at_node_lines(const scene::Scene& scene, const geometry::Profile& pr
     return field;
 }
 
-// The least and the greatest height within `reach` lattice points of each point, along x and y.
-struct Range {
-    std::vector<double> least, greatest;
-};
-
-Range range_around(const HeightField& field, int reach) {
-    Range range{field.heights, field.heights};
-    for (const bool along_x : {true, false}) {
-        const Range before = range;
-        const int stride = along_x ? field.ny : 1, count = along_x ? field.nx : field.ny;
-        for (int n = 0; n < field.nx * field.ny; ++n) {
-            const int place = along_x ? n / field.ny : n % field.ny;
-            for (int m = std::max(place - reach, 0); m <= std::min(place + reach, count - 1); ++m) {
-                const auto at = static_cast<std::size_t>(n + (m - place) * stride),
-                           to = static_cast<std::size_t>(n);
-                range.least[to] = std::min(range.least[to], before.least[at]);
-                range.greatest[to] = std::max(range.greatest[to], before.greatest[at]);
-            }
-        }
-    }
-    return range;
-}
-
 }  // namespace
-
-geometry::Solid field_solid(const HeightField& heights) {
-    struct Data {
-        HeightField field;
-        Range range;
-    };
-    const double within = reach_in_cells * heights.spacing;
-    const auto data =
-        std::make_shared<const Data>(heights, range_around(heights, static_cast<int>(reach_in_cells) + 2));
-    return [data, within](const geometry::Point& p) {
-        const HeightField& field = data->field;
-        const auto nearest = [&](double place, int count) {
-            return static_cast<std::size_t>(std::clamp(std::lround(place / field.spacing), 0L, count - 1L));
-        };
-        const std::size_t n =
-            nearest(p[0], field.nx) * static_cast<std::size_t>(field.ny) + nearest(p[1], field.ny);
-        if (p[2] - data->range.greatest[n] >= within) return within;
-        if (data->range.least[n] - p[2] >= within) return -within;
-        return signed_distance(field, p, within);
-    };
-}
 
 Terrain read_terrain(const scene::Scene& scene) {
     Terrain terrain;
@@ -177,7 +131,7 @@ geometry::Solid ground_solid(const scene::Scene& scene, const Ground& ground) {
     if (!ground.exists()) return {};
     if (ground.profile && !ground.profile->smooth)
         return [profile = *ground.profile](const geometry::Point& p) { return signed_distance(profile, p); };
-    return field_solid(ground.field ? *ground.field : at_node_lines(scene, *ground.profile));
+    return geometry::below(ground.field ? *ground.field : at_node_lines(scene, *ground.profile));
 }
 
 }  // namespace tidewater

@@ -19,9 +19,6 @@ struct Terrain {
 // the tank, and a surface that is nowhere above the ground.
 Terrain read_terrain(const scene::Scene& scene);
 
-// What lies below a surface, to 9.5 lattice spacings from it, farther the same.
-geometry::Solid field_solid(const geometry::HeightField& heights);
-
 // The ground as a body; empty without one.
 geometry::Solid ground_solid(const scene::Scene& scene, const Ground& ground);
 

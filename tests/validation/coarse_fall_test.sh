@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# quickstart_test.sh PROJECT BIN: what configs/quickstart.toml must show (shared/physics.md §3, last row of the table).
+# coarse_fall_test.sh PROJECT BIN: what configs/lab_gravity_fall_coarse.toml must show (shared/physics.md §3, last row of the table).
 source "$(dirname "$0")/../pipeline/assert.sh"
 project=$1
 bin=$2
 cd "$work" || exit 1
-run make -f "$project/tools/pipeline.mk" SCENE="$project/configs/quickstart.toml" RUN=run BIN="$bin"
+run make -f "$project/tools/pipeline.mk" SCENE="$project/configs/lab_gravity_fall_coarse.toml" RUN=run BIN="$bin"
 expect_code 0
 
 # column FILE NAME: the values of a CSV column, one per line.
