@@ -131,7 +131,7 @@ constexpr std::array keys{
         .member = member<&S::simulate, &S::Simulate::gauges>(),
         .range = not_negative,
         .example = "[2, 4.5]",
-        .stages = by_simulate | by_postprocess,
+        .stages = by_all,  // the picture of the geometry shows them
         .help = "x of each gauge of the water surface; in 3D on the middle of the tank's width, or [x, y]"},
     Key{.name = "simulate.pressure_gauges",
         .unit = "m",

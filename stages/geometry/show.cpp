@@ -108,14 +108,14 @@ io::SectionSettings section_settings(const scene::Scene& scene, const Bodies& bo
                                  .low = {tank.low[0], flat ? 0.0 : tank.low[1], tank.low[2]},
                                  .high = {tank.high[0], flat ? 0.0 : tank.high[1], tank.high[2]},
                                  .across = flat ? 0.0 : 0.5 * (tank.low[1] + tank.high[1]),
-                                 .title = scene.title,
+                                 .title = "The scene at its start",
                                  .measures = measures_of(scene, bodies),
                                  .gauges = {},
                                  .at =
                                      [&](double x, double y, double z) {
                                          return substance_at(bodies, {x, y, z});
                                      },
-                                 .width = scene.postprocess.picture_width};
+                                 .width = 1600};
     if (scene.has("water")) settings.still_level = scene.water.depth;
     for (const auto& place : gauge_places(scene.simulate.gauges, scene, bodies.terrain.ground))
         settings.gauges.push_back({place.x, place.y});
