@@ -105,7 +105,8 @@ case_named "the printed part holds only what the stage reads"
 run "$program" "$tiny" --print-part geometry
 expect_code 0
 expect_line "block.size = [0.5, 0.5]"
-expect_no_line "simulate"
+expect_line "simulate.gauges = [0.8, 1.2]" # its picture shows them
+expect_no_line "simulate.end_time"
 
 case_named "a warning is told and the stage goes on"
 run "$program" "$tiny" --check --set water.sound_speed=20

@@ -83,7 +83,7 @@ TEST_CASE("the distance to the nearest wall is that of the definition over all s
     }
 }
 
-TEST_CASE("a larger region has the same cracks, on any number of threads; another seed has others") {
+TEST_CASE("a larger region has the same cracks, on any number of threads, and another seed others") {
     const CrackSettings small = block(3, 40.0, {100.0, 120.0, 50.0});
     CrackSettings large = small, other = small;
     large.region = {Point(-300.0, -100.0, -200.0), Point(400.0, 300.0, 250.0)};

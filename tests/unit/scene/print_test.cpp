@@ -72,7 +72,7 @@ TEST_CASE("a change reaches the parts of the stages that read the key, and no ot
     CHECK(changed_parts("title=new") == "p");
     CHECK(changed_parts("simulate.snapshot_interval=0.2") == "sp");
     CHECK(changed_parts("simulate.cfl=0.4") == "s");
-    CHECK(changed_parts("simulate.gauges=[3]") == "sp");
+    CHECK(changed_parts("simulate.gauges=[3]") == "gsp");  // its picture shows them
     CHECK(changed_parts("water.density=1025") == "s");
     CHECK(changed_parts("block.density=900") == "s");
     CHECK(changed_parts("domain.wall_top=stick") == "s");
