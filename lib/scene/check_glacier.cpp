@@ -152,6 +152,13 @@ void check_dem(Reading& reading) {
     needs("dem.surface", scene.dem.surface, "ice");
     if (!scene.dem.bed.empty() && !scene.bed.profile.empty())
         reading.report("dem.bed", "the scene has bed.profile as well; remove one of them");
+    for (const char* effect : {"cliff", "undercut"}) {
+        if (scene.dem.surface.empty() || !scene.has(effect)) continue;
+        reading.report("effects", "names " + quoted_text(effect) +
+                                      ", but the front is the one that dem.surface shows; "
+                                      "remove " +
+                                      quoted_text(effect) + ", or give the ice by ice.profile");
+    }
     if (!scene.dem.surface.empty() && !scene.ice.profile.empty())
         reading.report("dem.surface", "the scene has ice.profile as well; remove one of them");
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/error.h"
 #include "geometry/front.h"
 #include "geometry/height_solid.h"
 #include "io/text.h"
@@ -16,6 +17,8 @@ using geometry::HeightField;
 using geometry::Point;
 using geometry::Solid;
 using geometry::without;
+
+constexpr double most_shared = 1e-3;  // of the ice's volume in the ground: what volumes are found to
 
 geometry::Extent extent_of_ice(const scene::Scene& scene, double amplitude) {
     const geometry::Box box = ice_box(scene);
@@ -115,6 +118,17 @@ void measure_height(const scene::Scene& scene, Glacier& glacier) {
     }
 }
 
+// Ice that is not cut off at the ground must not reach into it.
+void check_overlap(const scene::Scene& scene, const Solid& ground, const Glacier& glacier, int levels) {
+    const double shared = geometry::volume(common(glacier.uncut, ground), glacier.extent,
+                                           scene.domain.cell_size, levels, scene.dimension);
+    if (shared < most_shared * glacier.uncut_volume) return;
+    throw SceneError("the ice and the ground share room: " + io::format_fixed(shared, 0) +
+                     (scene.dimension == 2 ? " m²" : " m³") + " of the ice, " +
+                     io::format_fixed(100.0 * shared / glacier.uncut_volume, 1) +
+                     " %, lies in the ground; set ice.base = \"bed\" to cut it off there, or raise the ice");
+}
+
 }  // namespace
 
 Glacier make_glacier(const scene::Scene& scene, const Solid& ground,
@@ -154,6 +168,7 @@ Glacier make_glacier(const scene::Scene& scene, const Solid& ground,
     const bool exact = cliff.amplitude == 0.0 && notch.depth == 0.0 && !surface && !grounded;
     const double width = dimension == 2 ? 1.0 : scene.ice.size[1];
     glacier.uncut_volume = exact ? width * geometry::area(ice_outline(scene)) : measured(glacier.uncut);
+    if (ground && !grounded) check_overlap(scene, ground, glacier, levels);
     glacier.volume = glacier.crevasses ? measured(glacier.whole) : glacier.uncut_volume;
     measure_front(scene, surface.has_value(), glacier);
     measure_height(scene, glacier);

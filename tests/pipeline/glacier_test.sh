@@ -65,6 +65,11 @@ dry cracked ', "cracks"' --set cracks.cell_size=15 --set cracks.width=0.5 --set 
 share=$(sed -n 's/.* take \([0-9.]*\) %.*/\1/p' cracked/geometry/summary.txt)
 holds "(1 - $(mass cracked) / $(mass dry)) / ($share / 100) > 0.9 && (1 - $(mass cracked) / $(mass dry)) / ($share / 100) < 1.05"
 
+case_named "ice in the ground is told, outlines and elevation models"
+stage geometry plain.toml bad "${plain[@]}" --set ice.base=given --set 'ice.profile=[0, 5, 0, 62, 90, 56, 100, 50, 100, 5]'
+expect_code 2
+expect_line "500 m² of the ice, 9.4 %, lies in the ground; set ice.base = \"bed\""
+
 case_named "1, 2 and 5 threads give the same bytes of every file"
 for threads in 1 2 5; do
     for name in geometry simulate; do

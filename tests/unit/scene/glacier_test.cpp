@@ -132,6 +132,11 @@ TEST_CASE("elevation models are named from the scene's folder, and what they hol
     CHECK(part.find("dem.bed = \"bed.asc\"  # holds ") != std::string::npos);
     std::ofstream(folder.path() / "bed.asc") << "2";
     CHECK(stage_part(scene, Stage::geometry) != part);
+    std::vector<Override> cliff = sets;
+    cliff[0].value = "[\"water\", \"ice\", \"bed\", \"dem\", \"cliff\"]";
+    cliff.insert(cliff.end(), {{"cliff.amplitude", "5"}, {"dem.surface", "bed.asc"}});
+    CHECK_THROWS_WITH_AS(read_scene(folder.path() / "a.toml", cliff),
+                         doctest::Contains("the front is the one that dem.surface shows"), SceneError);
     std::filesystem::remove(folder.path() / "bed.asc");
     CHECK_THROWS_WITH_AS(read_scene(folder.path() / "a.toml", sets), doctest::Contains("no such file"),
                          SceneError);
