@@ -19,12 +19,12 @@
 namespace tidewater::analysis {
 
 struct AmplitudeDecay {
-    double amplitude = none;  // A, m, that of the fit at r = D
-    double exponent = none;   // n
+    double amplitude = none;                           // A, m, that of the fit at r = D
+    double exponent = none;                            // n
     double exponent_low = none, exponent_high = none;  // of its 95 % interval
     double misfit = none;                              // rms of ln a about the line
     int gauges = 0;                                    // that count
-    std::string doubt;  // why not to trust the fit; empty: it can be trusted
+    std::string doubt;                                 // why not to trust the fit; empty: it can be trusted
 
     bool trustworthy() const { return doubt.empty(); }
 };

@@ -12,11 +12,11 @@ using namespace tidewater;
 using namespace tidewater::analysis;
 
 TEST_CASE("Student's quantiles are the tables'") {
-    CHECK(student_quantile(1) == doctest::Approx(12.706).epsilon(1e-4));
-    CHECK(student_quantile(2) == doctest::Approx(4.303).epsilon(1e-4));
-    CHECK(student_quantile(3) == doctest::Approx(3.182).epsilon(1e-4));
-    CHECK(student_quantile(10) == doctest::Approx(2.228).epsilon(1e-4));
-    CHECK(student_quantile(30) == doctest::Approx(2.042).epsilon(1e-4));
+    CHECK(student_quantile(1) == doctest::Approx(12.7062).epsilon(1e-5));
+    CHECK(student_quantile(2) == doctest::Approx(4.30265).epsilon(1e-5));
+    CHECK(student_quantile(3) == doctest::Approx(3.18245).epsilon(1e-5));
+    CHECK(student_quantile(10) == doctest::Approx(2.22814).epsilon(1e-5));
+    CHECK(student_quantile(30) == doctest::Approx(2.04227).epsilon(1e-5));
     CHECK(std::isnan(student_quantile(0)));
 }
 
