@@ -36,14 +36,26 @@ struct Range {
     }
 };
 
-// A panel's frame on the page and the values at its edges.
+// Where on its axis a value is; of no place on a logarithmic one: not finite.
+double scaled(double value, bool log) { return log ? std::log10(value) : value; }
+
+// A panel's frame on the page and the scaled values at its edges.
 struct Frame {
     double left, right, top, bottom;
     Range x, y;
+    bool log_x = false, log_y = false;
 
-    double at_x(double value) const { return left + (right - left) * (value - x.low) / (x.high - x.low); }
-    double at_y(double value) const { return bottom - (bottom - top) * (value - y.low) / (y.high - y.low); }
+    // Shares of the axes' lengths.
+    double along(double value) const { return (scaled(value, log_x) - x.low) / (x.high - x.low); }
+    double upward(double value) const { return (scaled(value, log_y) - y.low) / (y.high - y.low); }
+    double at_x(double value) const { return left + (right - left) * along(value); }
+    double at_y(double value) const { return bottom - (bottom - top) * upward(value); }
+    bool holds_x(double value) const { return along(value) >= 0.0 && along(value) <= 1.0; }
 };
+
+Ticks ticks_of(const Range& range, bool log, int greatest_count) {
+    return (log ? make_log_ticks : make_ticks)(range.low, range.high, greatest_count);
+}
 
 std::string svg_line(double x1, double y1, double x2, double y2, const std::string& style) {
     return "<line x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) + "\" y2=\"" +
@@ -100,27 +112,32 @@ std::string mark_symbol(const ChartMark& mark, double x, double y) {
 
 bool has_own_axis(const ChartPanel& panel) { return !panel.x_label.empty(); }
 
-void include_x(const ChartPanel& panel, Range& range) {
+void include_x(const ChartPanel& panel, bool log, Range& range) {
     for (const ChartLine& line : panel.lines) {
-        for (const double x : line.x) range.include(x);
+        for (const double x : line.x) range.include(scaled(x, log));
     }
+}
+
+bool shared_log_x(const Chart& chart) {
+    const auto first = std::ranges::find_if_not(chart.panels, has_own_axis);
+    return first != chart.panels.end() && first->log_x;
 }
 
 // Of the panels that share it.
 Range x_range(const Chart& chart) {
     Range range;
     for (const ChartPanel& panel : chart.panels) {
-        if (!has_own_axis(panel)) include_x(panel, range);
+        if (!has_own_axis(panel)) include_x(panel, shared_log_x(chart), range);
     }
     return range.padded(0.0);
 }
 
 void include_y(const ChartPanel& panel, Range& range) {
     for (const ChartLine& line : panel.lines) {
-        for (const double y : line.y) range.include(y);
+        for (const double y : line.y) range.include(scaled(y, panel.log_y));
     }
     for (const ChartMark& mark : panel.marks) {
-        if (reads_y(mark.shape)) range.include(mark.y);
+        if (reads_y(mark.shape)) range.include(scaled(mark.y, panel.log_y));
     }
 }
 
@@ -128,14 +145,14 @@ void include_y(const ChartPanel& panel, Range& range) {
 std::string draw_axes(const Frame& frame, const ChartPanel& panel, const std::string& x_label) {
     const std::string grid = "stroke=\"" + hex(palette::faint) + "\" stroke-width=\"0.7\"";
     std::string svg;
-    const Ticks along = make_ticks(frame.x.low, frame.x.high, 12);
+    const Ticks along = ticks_of(frame.x, frame.log_x, 12);
     for (std::size_t i = 0; i < along.values.size(); ++i) {
         const double x = frame.at_x(along.values[i]);
         svg += svg_line(x, frame.top, x, frame.bottom, grid);
         if (!x_label.empty()) svg += svg_text(x, frame.bottom + 17, "middle", along.labels[i]);
     }
     const int count = std::max(2, static_cast<int>((frame.bottom - frame.top) / 30));
-    const Ticks upward = make_ticks(frame.y.low, frame.y.high, count);
+    const Ticks upward = ticks_of(frame.y, frame.log_y, count);
     for (std::size_t i = 0; i < upward.values.size(); ++i) {
         const double y = frame.at_y(upward.values[i]);
         svg += svg_line(frame.left, y, frame.right, y, grid);
@@ -154,11 +171,11 @@ std::string draw_line(const Frame& frame, const ChartLine& line) {
     std::string path, dots;
     bool pen_down = false;
     for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i) {
-        if (!std::isfinite(line.x[i]) || !std::isfinite(line.y[i])) {
+        const double x = frame.at_x(line.x[i]), y = frame.at_y(line.y[i]);
+        if (!std::isfinite(x) || !std::isfinite(y)) {
             pen_down = false;
             continue;
         }
-        const double x = frame.at_x(line.x[i]), y = frame.at_y(line.y[i]);
         path += (pen_down ? "L" : "M") + number(x) + " " + number(y);
         pen_down = true;
         if (line.dots) dots += svg_dot(x, y, line.color);
@@ -167,14 +184,14 @@ std::string draw_line(const Frame& frame, const ChartLine& line) {
 }
 
 std::string draw_mark(const Frame& frame, const ChartMark& mark) {
-    if (!std::isfinite(mark.x) || mark.x < frame.x.low || mark.x > frame.x.high) return {};
+    if (!frame.holds_x(mark.x)) return {};
     const double x = frame.at_x(mark.x);
     if (mark.shape == MarkShape::rule) {
         return svg_line(x, frame.top, x, frame.bottom, rule_style(mark)) +
                svg_text(x - 5, frame.bottom - 6, "end", mark.note);
     }
-    if (reads_y(mark.shape) && !std::isfinite(mark.y)) return {};
     const double y = reads_y(mark.shape) ? frame.at_y(mark.y) : frame.top + 9;
+    if (!std::isfinite(y)) return {};
     return mark_symbol(mark, x, y) + svg_text(x + 8, y - 3, "start", mark.note);
 }
 
@@ -252,12 +269,13 @@ std::vector<Frame> make_frames(const Chart& chart, const std::vector<std::string
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const ChartPanel& panel = chart.panels[i];
         Range x, y;
-        include_x(panel, x);
+        const bool log_x = has_own_axis(panel) ? panel.log_x : shared_log_x(chart);
+        include_x(panel, log_x, x);
         include_y(panel, y);
         const double height = panel.height > 0.0 ? panel.height : chart.panel_height;
         frames.push_back({margin_left, chart.width - margin_right, top, top + height,
                           has_own_axis(panel) ? x.padded(own_axis_share) : shared,
-                          (chart.one_y_range ? all : y).padded(0.12)});
+                          (chart.one_y_range ? all : y).padded(0.12), log_x, panel.log_y});
         top += height + gap + (labels[i].empty() ? 0.0 : margin_bottom);
     }
     return frames;
