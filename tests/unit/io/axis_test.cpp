@@ -26,6 +26,25 @@ TEST_CASE("a range of no length has one tick") {
     CHECK(make_ticks(2.5, 2.5, 5).labels == std::vector<std::string>{"2.5"});
 }
 
+TEST_CASE("a logarithmic axis has its powers of ten labelled, and ticks between them") {
+    const Ticks ticks = make_log_ticks(0.01, 100.0, 8);
+    std::vector<std::string> labels = ticks.labels;
+    std::erase(labels, "");
+    CHECK(labels == std::vector<std::string>{"0.01", "0.1", "1", "10", "100"});
+    CHECK(ticks.values.size() == 4 * 9 + 1);
+    CHECK(ticks.values.front() == doctest::Approx(0.01));
+    CHECK(ticks.values.back() == doctest::Approx(100.0));
+}
+
+TEST_CASE("a logarithmic axis of many decades leaves powers out, one of few has numbers between") {
+    const Ticks many = make_log_ticks(1e-9, 1e9, 5);
+    CHECK(many.labels == std::vector<std::string>{"10⁻⁸", "10⁻⁴", "1", "10⁴", "10⁸"});
+    std::vector<std::string> few = make_log_ticks(1.5, 25.0, 8).labels;
+    std::erase(few, "");
+    CHECK(few == std::vector<std::string>{"2", "5", "10", "20"});
+    CHECK(make_log_ticks(3.0, 4.0, 5).labels == make_ticks(3.0, 4.0, 5).labels);
+}
+
 TEST_CASE("rounds up to a round number that is hardly greater") {
     CHECK(round_up(1.0) == doctest::Approx(1.0));
     CHECK(round_up(1.01) == doctest::Approx(1.5));
