@@ -1,10 +1,8 @@
 #include "io/axis.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 
 #include "io/text.h"
 
@@ -21,14 +19,18 @@ double tick_step(double range, int greatest_count) {
     return 10.0 * power;
 }
 
-// "0.01", "10⁻⁴"
-std::string power_label(int exponent) {
-    if (std::abs(exponent) <= 3) return format_number(std::pow(10.0, exponent));
-    constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string label = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent)))
-        label += digits[static_cast<std::size_t>(digit - '0')];
-    return label;
+std::string superscript(int exponent) {
+    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text;
+    for (const char c : std::to_string(exponent)) text += c == '-' ? "⁻" : digits[c - '0'];
+    return text;
+}
+
+// Of factor * 10^exponent, factor from 1 to 9.
+std::string log_label(int factor, int exponent) {
+    if (-4 < exponent && exponent < 4)
+        return format_fixed(factor * std::pow(10.0, exponent), -std::min(exponent, 0));
+    return (factor == 1 ? "" : std::to_string(factor) + "·") + "10" + superscript(exponent);
 }
 
 }  // namespace
@@ -47,24 +49,21 @@ Ticks make_ticks(double low, double high, int greatest_count) {
 }
 
 Ticks make_log_ticks(double low, double high, int greatest_count) {
-    assert(0.0 < low && low < high && greatest_count >= 2);
-    const double decades = std::log10(high / low);
-    if (decades < 1.0 / 3.0) return make_ticks(low, high, greatest_count);
-    const int first = static_cast<int>(std::floor(std::log10(low) + 1e-9)),
-              powers =
-                  static_cast<int>(std::floor(std::log10(high) + 1e-9) - std::ceil(std::log10(low) - 1e-9)) +
-                  1;
-    const int every = (std::max(powers, 1) + greatest_count - 1) / greatest_count;
+    assert(low <= high && greatest_count >= 2);
+    constexpr double little = 1e-9;
+    const int first = static_cast<int>(std::floor(low + little)),
+              last = static_cast<int>(std::floor(high + little));
+    const int step = (last - first) / greatest_count + 1;  // between powers with labels
+    const bool short_axis = high - low < 2.0;
     Ticks ticks;
-    for (int exponent = first; exponent <= std::log10(high) + 1e-9; ++exponent) {
-        for (int digit = 1; digit < 10; ++digit) {
-            const double value = digit * std::pow(10.0, exponent);
-            if (value < low * (1.0 - 1e-9) || value > high * (1.0 + 1e-9)) continue;
-            const bool power = digit == 1 && exponent % every == 0;
-            if (!power && every > 1) continue;
-            const bool between = powers < 2 && (digit == 2 || digit == 5);
-            ticks.values.push_back(value);
-            ticks.labels.push_back(power ? power_label(exponent) : between ? format_number(value) : "");
+    for (int exponent = first; exponent <= last; ++exponent) {
+        const bool labelled = exponent % step == 0;
+        for (int factor = 1; factor <= (step == 1 ? 9 : 1); ++factor) {
+            const double at = exponent + std::log10(factor);
+            if (at < low - little || at > high + little) continue;
+            ticks.values.push_back(factor * std::pow(10.0, exponent));
+            const bool told = labelled && (factor == 1 || (short_axis && (factor == 2 || factor == 5)));
+            ticks.labels.push_back(told ? log_label(factor, exponent) : "");
         }
     }
     return ticks;

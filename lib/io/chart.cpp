@@ -25,13 +25,18 @@ void include_x(const ChartPanel& panel, bool logarithmic, Range& range) {
     }
 }
 
+bool shared_log_x(const Chart& chart) {
+    const auto first = std::ranges::find_if_not(chart.panels, has_own_axis);
+    return first != chart.panels.end() && first->log_x;
+}
+
 // Of the panels that share it.
 ChartAxis shared_axis(const Chart& chart) {
     Range range;
     for (const ChartPanel& panel : chart.panels) {
-        if (!has_own_axis(panel)) include_x(panel, chart.log_x, range);
+        if (!has_own_axis(panel)) include_x(panel, shared_log_x(chart), range);
     }
-    return axis_around(range, 0.0, chart.log_x);
+    return axis_around(range, 0.0, shared_log_x(chart));
 }
 
 void include_y(const ChartPanel& panel, Range& range) {

@@ -44,8 +44,9 @@ struct ChartPanel {
     std::vector<ChartMark> marks;
     std::string x_label = {};  // this panel has a horizontal axis of its own; empty: it shares the chart's
     double height = 0.0;       // pixels; 0: the chart's panel_height
-    bool log_x = false;        // of a horizontal axis of its own
-    bool log_y = false;        // values that are not > 0 leave a gap
+    // Logarithmic axes: what is not above 0 has no place, as if it were not finite. Of panels that share the
+    // horizontal axis the first one's log_x counts.
+    bool log_x = false, log_y = false;
 };
 
 struct Chart {
@@ -55,7 +56,6 @@ struct Chart {
     double width = 960.0;         // pixels
     double panel_height = 120.0;  // pixels
     bool one_y_range = false;     // all panels have the range of y that holds them all
-    bool log_x = false;           // of the shared axis; values that are not > 0 leave a gap
 };
 
 // The whole SVG file, with the provenance as its metadata. Texts may be any UTF-8. A chart without points has

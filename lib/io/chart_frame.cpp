@@ -20,7 +20,9 @@ double ChartAxis::share(double value) const {
 }
 
 Ticks ChartAxis::ticks(int greatest_count) const {
-    return logarithmic ? make_log_ticks(low, high, greatest_count) : make_ticks(low, high, greatest_count);
+    const bool few_decades = !logarithmic || std::log10(high / low) < 1.0 / 3.0;
+    return few_decades ? make_ticks(low, high, greatest_count)
+                       : make_log_ticks(std::log10(low), std::log10(high), greatest_count);
 }
 
 ChartAxis axis_around(const Range& range, double free_share, bool logarithmic) {
