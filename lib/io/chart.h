@@ -44,6 +44,9 @@ struct ChartPanel {
     std::vector<ChartMark> marks;
     std::string x_label = {};  // this panel has a horizontal axis of its own; empty: it shares the chart's
     double height = 0.0;       // pixels; 0: the chart's panel_height
+    // Logarithmic axes: what is not above 0 has no place, as if it were not finite. Of panels that share the
+    // horizontal axis the first one's log_x counts.
+    bool log_x = false, log_y = false;
 };
 
 struct Chart {

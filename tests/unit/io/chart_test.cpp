@@ -7,6 +7,7 @@
 #include <vtkXMLUtilities.h>
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "unit/io/fixture.h"
@@ -130,6 +131,38 @@ TEST_CASE("a panel with a label of its own has its own axis and leaves the other
     CHECK(height(svg) == doctest::Approx(height(before) + 300 + 14 + 52));
     chart.panels.push_back(own);
     CHECK(count(draw_chart(chart, test_provenance()), ">time (s)<") == 1);
+}
+
+TEST_CASE("on logarithmic axes a power law is straight, and what is not above zero leaves a gap") {
+    ChartPanel panel{.title = {}, .y_label = "N", .lines = {}, .marks = {}};
+    panel.lines = {{.label = {}, .x = {0, 1, 10, 100, 1000}, .y = {5, 1e6, 1e4, 1e2, 0}}};
+    panel.marks = {{.label = {}, .x = -1, .y = 10, .note = "nowhere"},
+                   {.label = {}, .x = 10, .y = 10, .note = "there"}};
+    panel.log_x = panel.log_y = true;
+    const std::string svg = draw_chart({.title = "t", .x_label = "s", .panels = {panel}}, test_provenance());
+    CHECK(well_formed(svg));
+    double x[3], y[3];
+    const char* path = svg.c_str() + svg.find("<path d=\"M") + 10;
+    REQUIRE(std::sscanf(path, "%lf %lfL%lf %lfL%lf %lf\"", x, y, x + 1, y + 1, x + 2, y + 2) == 6);
+    CHECK(x[2] - x[1] == doctest::Approx(x[1] - x[0]).epsilon(1e-3));
+    CHECK(y[2] - y[1] == doctest::Approx(y[1] - y[0]).epsilon(1e-3));
+    CHECK(count(svg, "nowhere") == 0);
+    CHECK(count(svg, "there") == 1);
+    CHECK(count(svg, ">10⁴<") == 1);
+    CHECK(count(svg, "inf") + count(svg, "nan") == 0);
+}
+
+TEST_CASE("logarithmic charts with nothing to show, with one point or a short range are well-formed too") {
+    Chart chart{.title = "t", .x_label = "x", .panels = {ChartPanel{}}};
+    chart.panels[0].log_x = chart.panels[0].log_y = true;
+    chart.panels[0].lines = {{.label = {}, .x = {0.0, -1.0}, .y = {0.0, 3.0}}};
+    CHECK(well_formed(draw_chart(chart, test_provenance())));
+    chart.panels[0].lines[0] = {.label = {}, .x = {5.0}, .y = {3.0}, .dots = true};
+    const std::string svg = draw_chart(chart, test_provenance());
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(count(svg, "<circle") == 1);
+    chart.panels[0].lines[0] = {.label = {}, .x = {5.0, 6.0}, .y = {3.0, 3.3}};
+    CHECK(count(draw_chart(chart, test_provenance()), ">3.1<") == 1);
 }
 
 TEST_CASE("charts without panels, lines, points or extent are well-formed too") {
