@@ -14,11 +14,4 @@ std::string_view material_name(Material material) {
     return "unknown";
 }
 
-std::optional<Material> material_named(std::string_view name) {
-    for (const Material material : {Material::water, Material::ice, Material::rigid}) {
-        if (material_name(material) == name) return material;
-    }
-    return {};
-}
-
 }  // namespace tidewater

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace tidewater {
@@ -19,7 +18,5 @@ using Matrix = Eigen::Matrix<Real, D, D>;
 enum class Material : std::uint8_t { water = 0, ice = 1, rigid = 2 };
 
 std::string_view material_name(Material material);
-// Nothing if there is none of that name.
-std::optional<Material> material_named(std::string_view name);
 
 }  // namespace tidewater

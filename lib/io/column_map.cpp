@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/error.h"
 #include "io/snapshot.h"
@@ -69,6 +68,13 @@ ArrayPart parse_part(std::string_view text, std::string_view column) {
 }
 
 }  // namespace
+
+std::optional<Material> material_named(std::string_view name) {
+    for (const Material material : {Material::water, Material::ice, Material::rigid}) {
+        if (material_name(material) == name) return material;
+    }
+    return {};
+}
 
 ColumnSource column_source(const ColumnMap& map, std::string_view column) {
     const auto found = map.find(column);

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,9 @@ using ColumnSource = std::vector<ArrayPart>;
 
 // By the column's name. Without an entry: the array of that name.
 using ColumnMap = std::map<std::string, ColumnSource, std::less<>>;
+
+// Nothing if there is none of that name.
+std::optional<Material> material_named(std::string_view name);
 
 ColumnSource column_source(const ColumnMap& map, std::string_view column);
 

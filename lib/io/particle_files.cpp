@@ -201,21 +201,15 @@ bool as_it_is(const ParticleImport& import) {
 
 }  // namespace
 
-Snapshot read_particle_file(const std::filesystem::path& path, const ParticleImport& import) {
+Snapshot read_particle_file(const std::filesystem::path& path, const ParticleImport& import,
+                            std::vector<std::string>* notes) {
     if (as_it_is(import) && is_own_snapshot(path)) return read_snapshot(path);
-    std::vector<std::string> notes;
-    return read(path, import, notes);
+    std::vector<std::string> unread;
+    return read(path, import, notes ? *notes : unread);
 }
 
 double read_particle_time(const std::filesystem::path& path) {
     return is_own_snapshot(path) ? read_snapshot_time(path) : read_point_cloud_time(path);
-}
-
-std::vector<std::string> describe_import(const std::filesystem::path& path, const ParticleImport& import) {
-    if (as_it_is(import) && is_own_snapshot(path)) return {};
-    std::vector<std::string> notes;
-    read(path, import, notes);
-    return notes;
 }
 
 }  // namespace tidewater::io

@@ -33,13 +33,11 @@ struct ParticleImport {
 
 // The time is NaN where the file does not tell. Throws InputError with the file, the column and the arrays
 // that there are, if the file is none of those kinds, is damaged, or lacks a column or has no usable one.
-Snapshot read_particle_file(const std::filesystem::path& path, const ParticleImport& import);
+// `notes`, if given, gets a line for each column that the file does not have and what is in its place.
+Snapshot read_particle_file(const std::filesystem::path& path, const ParticleImport& import,
+                            std::vector<std::string>* notes = nullptr);
 
 // The time alone, s; NaN where the file does not tell.
 double read_particle_time(const std::filesystem::path& path);
-
-// A line for each column that the file does not have and what is in its place. Reads the file as a whole, and
-// throws likewise: for a check of the first of many.
-std::vector<std::string> describe_import(const std::filesystem::path& path, const ParticleImport& import);
 
 }  // namespace tidewater::io

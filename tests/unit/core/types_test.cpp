@@ -11,10 +11,3 @@ TEST_CASE("every material has a name, and a number that snapshots store") {
     CHECK(static_cast<int>(Material::rigid) == 2);
     CHECK(material_name(static_cast<Material>(9)) == "unknown");
 }
-
-TEST_CASE("a material is found by its name, and by no other") {
-    CHECK(material_named("water") == Material::water);
-    CHECK(material_named("rigid") == Material::rigid);
-    CHECK_FALSE(material_named("unknown"));
-    CHECK_FALSE(material_named(""));
-}

@@ -152,6 +152,12 @@ void check_particles(const Snapshot& snapshot) {
     CHECK(snapshot.failure_time.empty());
 }
 
+std::vector<std::string> notes_of(const std::filesystem::path& path, const ParticleImport& import) {
+    std::vector<std::string> notes;
+    read_particle_file(path, import, &notes);
+    return notes;
+}
+
 void write_ascii_vtp(const std::filesystem::path& path, const std::string& version) {
     write_text(path, "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"" + version +
                          R"(" byte_order="LittleEndian">
@@ -220,7 +226,7 @@ TEST_CASE("our own snapshots and collections are read back as they are") {
     CHECK(own.points == ours.points);
     CHECK(own.time == ours.time);
     CHECK(read_particle_time(folder / "frame_0000.hdf") == 1.25);
-    CHECK(describe_import(folder / "frame_0000.hdf", import).empty());
+    CHECK(notes_of(folder / "frame_0000.hdf", import).empty());
     write_particles(folder / "particles_0000.vtp", ours, test_provenance());
     const Snapshot collected = read_particle_file(folder / "particles_0000.vtp", import);
     for_each_column([&](const auto& column) {
@@ -230,7 +236,7 @@ TEST_CASE("our own snapshots and collections are read back as they are") {
     CHECK(collected.points == ours.points);
     CHECK(collected.velocity == ours.velocity);
     CHECK(collected.id == ours.id);
-    CHECK(describe_import(folder / "particles_0000.vtp", import).empty());
+    CHECK(notes_of(folder / "particles_0000.vtp", import).empty());
 }
 
 TEST_CASE("what a file does not have is put in its place and told, where the caller knows it") {
@@ -242,7 +248,7 @@ TEST_CASE("what a file does not have is put in its place and told, where the cal
     CHECK(snapshot.material == std::vector<std::uint8_t>(count, 1));
     CHECK(snapshot.id == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
     CHECK(snapshot.damage.empty());
-    const auto notes = describe_import(folder / "a.vtp", import);
+    const auto notes = notes_of(folder / "a.vtp", import);
     REQUIRE(notes.size() == 4);
     CHECK(notes[0].starts_with("no pressure in the files: "));
     CHECK(notes[1].starts_with("no volume in the files: 0.25 m³ for every particle"));
