@@ -17,6 +17,8 @@
 #include "particles.h"
 #include "pictures.h"
 #include "profiles.h"
+#include "quantities.h"
+#include "report.h"
 #include "stamps.h"
 #include "tsunami.h"
 
@@ -57,7 +59,7 @@ void work_on_frames(const StageContext& context, const Frames& frames, const Gro
 }
 
 // Of simulate, or of another program.
-Frames find_frames(const StageContext& context) {
+Frames frames_of(const StageContext& context) {
     if (!context.particles.files.empty()) return import_frames(context);
     const auto simulated = context.run / "simulate";
     Frames frames = find_frames(simulated);
@@ -65,10 +67,11 @@ Frames find_frames(const StageContext& context) {
     return frames;
 }
 
-// waves.csv comes last: where it exists, everything else does.
+// report.html comes last: where it exists, everything else does.
 void work(StageContext& context) {
     check_picture_window(context.scene);
-    const Frames frames = find_frames(context);
+    parse_references(context.scene.postprocess.references);  // tells what is wrong before anything is removed
+    const Frames frames = frames_of(context);
     const Inputs inputs = read_inputs(context);
     const auto& bodies = inputs.bodies;
     const std::string energy = inputs.ledger ? energy_chart(*inputs.ledger, inputs.ledger_file, context) : "";
@@ -96,6 +99,7 @@ void work(StageContext& context) {
     write_text(context.folder / "celerity.svg", celerity_chart(waves, context));
     write_waves(context.folder / "waves.csv", waves, context.provenance);
     std::fputs(describe(waves).c_str(), stdout);
+    write_run_report(context, frames);
 }
 
 }  // namespace
