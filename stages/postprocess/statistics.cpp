@@ -15,7 +15,6 @@ namespace tidewater::postprocess {
 namespace {
 
 constexpr double taper = 0.2;      // of a short record's window: a tenth at either end
-constexpr double lead_in = 0.1;    // of the time after the arrival, before it
 constexpr double shortest = 4.0;   // cells, of a wave that is resolved
 constexpr double many_waves = 24;  // whose record is cut into segments of a third of it or less
 
@@ -56,8 +55,7 @@ void measure_energy(const GaugeRecord& record, const std::vector<double>& value,
         .depth = s.depth, .density = scene.water.model.density, .gravity = scene.domain.gravity};
     const bool open = scene.has("sponge") || scene.has("outlet");
     const double end = open ? record.time.back() : wave.record_end;
-    const double begin = wave.arrival - lead_in * (end - wave.arrival);
-    const Part passed = part_of(record, value, begin, end);
+    const Part passed = part_of(record, value, wave.arrival, end);
     s.energy = analysis::long_wave_energy(passed.time, passed.value, water);
     const analysis::Spectrum spectrum =
         analysis::wave_spectrum(passed.time, passed.value, {.segments = 1, .taper = taper});
@@ -81,7 +79,7 @@ GaugeStatistics gauge_statistics(const GaugeRecord& record, const analysis::Gaug
     const double margin = scene.postprocess.arrival_threshold * greatest_excursion(value);
     s.waves = analysis::wave_statistics(analysis::zero_crossing_waves(record.time, value, zero, margin));
     const double end = record.time.back();
-    const Part whole = part_of(record, value, wave.arrival - lead_in * (end - wave.arrival), end);
+    const Part whole = part_of(record, value, wave.arrival, end);
     const double waves = (end - wave.arrival) / s.waves.mean_period;
     s.spectrum = analysis::wave_spectrum(whole.time, whole.value, spectrum_settings(waves));
     measure_energy(record, value, wave, scene, s);

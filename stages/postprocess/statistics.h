@@ -19,9 +19,8 @@ struct Waves;
 
 // All of the record smoothed as for GaugeWave (analysis/wave.h), and from its level of rest; in a scene that
 // starts as a wave, from its mean. Waves are those of the whole record, with what comes back from walls, as
-// of a gauge in nature. The spectrum is of what follows the arrival; a tenth of that time before it is added,
-// where there is as much, for the window to rise in. Energies are of the time until a reflection may be back;
-// in a scene with a sponge or an outlet none comes.
+// of a gauge in nature. The spectrum is of what follows the arrival. Energies are of the time until a
+// reflection may be back; in a scene with a sponge or an outlet none comes.
 struct GaugeStatistics {
     double depth = analysis::none;  // D, still, at the gauge, m
     analysis::WaveStatistics waves;
