@@ -16,6 +16,8 @@
 #include "particles.h"
 #include "pictures.h"
 #include "profiles.h"
+#include "quantities.h"
+#include "report.h"
 #include "stamps.h"
 #include "tsunami.h"
 
@@ -64,13 +66,13 @@ void work_on_frames(const StageContext& context, const Frames& frames, const Gro
                               profile_product(context, ground), speed_product(context, chosen)};
     make_frame_products(context, frames, products, "frames", stamps);
     make_pictures(context, frames, chosen, ground, stamps);
-    if (context.movie) make_movie(context, frames, chosen);
     stamps.remove_unclaimed();
 }
 
-// waves.csv comes last: where it exists, everything else does.
+// report.html comes last: where it exists, everything else does.
 void work(StageContext& context) {
     check_picture_window(context.scene);
+    parse_references(context.scene.postprocess.references);  // tells what is wrong before anything is removed
     const auto simulated = context.run / "simulate";
     const Frames frames = find_frames(simulated);
     require_same_scene(simulated, context.scene);
@@ -101,6 +103,8 @@ void work(StageContext& context) {
     write_chart(context, "celerity", celerity_chart(waves, context));
     write_waves(context.folder / "waves.csv", waves, context.provenance);
     std::fputs(describe(waves).c_str(), stdout);
+    write_run_report(context, frames);
+    if (context.movie) make_movie(context, frames);
 }
 
 }  // namespace

@@ -228,13 +228,14 @@ void make_pictures(const StageContext& context, const Frames& frames, const std:
     io::write_slides(context.folder / "frames.html", context.scene.title, slides, context.provenance);
 }
 
-void make_movie(const StageContext& context, const Frames& frames, const std::vector<std::size_t>& chosen) {
+void make_movie(const StageContext& context, const Frames& frames) {
     const auto ffmpeg = io::find_on_path("ffmpeg");
     if (!ffmpeg) {
         std::puts(
             "no frames.mp4: ffmpeg is not there; install it (Debian: apt-get install ffmpeg) and run again");
         return;
     }
+    const auto chosen = choose_pictures(frames.times, context.scene);
     if (chosen.size() < 2) {
         std::puts("no frames.mp4: one picture makes no movie; set postprocess.picture_interval");
         return;

@@ -32,6 +32,6 @@ void make_pictures(const StageContext& context, const Frames& frames, const std:
                    const Ground& ground, Stamps& stamps);
 
 // frames.mp4 of those pictures, if ffmpeg is there, or a line that says why there is none.
-void make_movie(const StageContext& context, const Frames& frames, const std::vector<std::size_t>& chosen);
+void make_movie(const StageContext& context, const Frames& frames);
 
 }  // namespace tidewater::postprocess
