@@ -99,7 +99,7 @@ void draw_heading(Drawing& drawing, const PictureParticles& particles, const Pic
 
 void draw_scale_bar(Drawing& drawing, const PictureSettings& settings, const Layout& layout) {
     const double u = layout.unit, length = settings.high[0] - settings.low[0];
-    const double metres = make_ticks(0.0, length, 7).values[1];
+    const double metres = make_ticks(0.0, length, 14).values[1];
     const auto below = [&](double x) {
         const Pixel at = layout.view.project({x, settings.low[1], settings.low[2]});
         return Pixel{at.x, at.y + 48 * u};
