@@ -69,7 +69,8 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                                         .scene_hash = scene::scene_hash(scene, program.stage),
                                         .seed = scene.seed},
                          .from = options.from,
-                         .until = options.until};
+                         .until = options.until,
+                         .movie = options.movie};
     say(program, "writing " + context.folder.string());
     make_output_folder(context.folder);
     const FolderLock lock(context.folder);

@@ -9,6 +9,7 @@
 //     tidewater-<stage> SCENE --check | --print-scene | --print-part STAGE         only looks at the scene
 //     tidewater-<stage> --help | --help-scene | --version
 //     tidewater-simulate SCENE [--from start|CHECKPOINT] [--until TIME]
+//     tidewater-postprocess SCENE [--movie]
 //
 // A line on standard error for each problem, "tidewater-<stage>: <what, where, and what to do>", and the exit
 // code of core/error.h; 128 + the signal for a simulate that was stopped by one. Command-line misuse counts
@@ -32,6 +33,7 @@ struct StageContext {
 
     std::string from;    // simulate's options; see StageOptions
     double until = 0.0;  // s
+    bool movie = false;  // postprocess' option
 };
 
 // The level sets that the geometry stage left for the others.

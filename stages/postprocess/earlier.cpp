@@ -34,10 +34,12 @@ void require_same_scene(const std::filesystem::path& simulated, const scene::Sce
 
 void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
-        R"((particles\.pvd|(frames|report)\.html|)"
-        R"((gauges|celerity|energy|bodies|energy_split|first_wave|spectra|decay|space_time|run_up)\.svg|)"
+        // Of each product its stem and the forms that it is written in.
+        R"((particles\.pvd|(frames|report)\.html|frames\.mp4|)"
         R"((gauges|gauges_snapshots|space_time)\.nc|)"
-        R"((gauges|waves|icebergs|fragments|first_wave|waves_3d|tsunami|energy_split|spectra|decay|decay_fit|run_up)\.csv)(\.part)?)");
+        R"((gauges|celerity|energy|bodies|energy_split|first_wave|spectra|decay|space_time|run_up)\.(svg|png)|)"
+        R"((gauges|waves|icebergs|fragments|first_wave|waves_3d|tsunami|energy_split|spectra|decay|decay_fit|)"
+        R"(run_up)\.csv)(\.part)?)");
     std::error_code error;
     std::vector<std::filesystem::path> found{folder / "report.html"};
     std::filesystem::directory_iterator entry(folder, error);

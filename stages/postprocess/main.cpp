@@ -52,9 +52,9 @@ std::vector<Body> read_run_bodies(const StageContext& context) {
 
 void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodies, const Tsunami& tsunami) {
     const auto& folder = context.folder;
-    write_text(folder / "bodies.svg", body_chart(bodies, context));
-    write_text(folder / "energy_split.svg", energy_split_chart(tsunami.energy, context));
-    write_text(folder / "first_wave.svg", first_wave_chart(tsunami, context));
+    write_chart(context, "bodies", body_chart(bodies, context));
+    write_chart(context, "energy_split", energy_split_chart(tsunami.energy, context));
+    write_chart(context, "first_wave", first_wave_chart(tsunami, context));
     write_energy_split(folder / "energy_split.csv", tsunami.energy, context.provenance);
     write_first_wave(folder / "first_wave.csv", tsunami, context.provenance);
     write_waves_3d(folder / "waves_3d.csv", tsunami, context.provenance);
@@ -67,17 +67,17 @@ void work_on_waves(const StageContext& context, const Waves& waves, const Surfac
     const WavePath path = main_wave_path(context.scene, surfaces.front);
     write_gauges_nc(folder, waves.records, context.scene, context.provenance);
     write_spectra(folder / "spectra.csv", waves, context.scene, context.provenance);
-    write_text(folder / "spectra.svg", spectra_chart(waves, context));
+    write_chart(context, "spectra", spectra_chart(waves, context));
     const WaveDecay decay = find_decay(waves, path, context.scene);
     write_decay(folder, decay, context.provenance);
-    write_text(folder / "decay.svg", decay_chart(decay, context));
+    write_chart(context, "decay", decay_chart(decay, context));
     std::fputs((describe(waves) + describe(decay)).c_str(), stdout);
     if (surfaces.far_end.empty()) return;
-    write_text(folder / "space_time.svg", space_time_chart(surfaces, waves, path, context));
+    write_chart(context, "space_time", space_time_chart(surfaces, waves, path, context));
     io::write_space_time_nc(folder / "space_time.nc", space_time_record(surfaces, context),
                             context.provenance);
     write_run_up(folder / "run_up.csv", surfaces, context.provenance);
-    write_text(folder / "run_up.svg", run_up_chart(surfaces, context));
+    write_chart(context, "run_up", run_up_chart(surfaces, context));
     std::fputs(describe_run_up(surfaces, context.scene).c_str(), stdout);
 }
 
@@ -121,11 +121,12 @@ void work(StageContext& context) {
         work_on_tsunami(context, bodies, find_tsunami(bodies, surfaces.profiles, split, context.scene));
     const Waves waves = analyse(std::move(records), context.scene, ground);
     work_on_waves(context, waves, surfaces);
-    write_text(context.folder / "energy.svg", energy);
-    write_text(context.folder / "gauges.svg", gauge_chart(waves, context));
-    write_text(context.folder / "celerity.svg", celerity_chart(waves, context));
+    write_chart(context, "energy", energy);
+    write_chart(context, "gauges", gauge_chart(waves, context));
+    write_chart(context, "celerity", celerity_chart(waves, context));
     write_waves(context.folder / "waves.csv", waves, context.provenance);
     write_run_report(context, frames);
+    if (context.movie) make_movie(context, frames);
 }
 
 }  // namespace
