@@ -5,9 +5,10 @@
 //     φ(z) = Σ_p V_p N((x_p - x)/Δx) N((y_p - y)/Δx) N((z_p - z)/Δx) / (Δx^D c(x) c(y) c(z)),
 // where c is the share of the spline that lies within the tank, along z above the bed at the place, so that
 // walls and bed do not thin the water, and the factors in y are present in 3D only. N is centred on the line
-// itself: a place need not be a grid node. φ is sampled every Δx/4 (coarser, interpolating the curved flank of φ would err by up to 0.05 Δx).
-// From the bed of the place upward, the surface is where φ first falls through one half, between two samples
-// linearly: what lies above a gap, such as spray or the crest of a breaker, does not count.
+// itself: a place need not be a grid node. φ is sampled every Δx/4 (coarser, interpolating the curved flank
+// of φ would err by up to 0.05 Δx). From the bed of the place upward, the surface is where φ first falls
+// through one half, between two samples linearly: what lies above a gap, such as spray or the crest of a
+// breaker, does not count.
 //
 // Accuracy on still water, at any level between cell lines and up to the walls (surface_test.cpp): 0.004 Δx
 // with 2 × 2 particles per cell in rows; with jitter the greatest error grows to 0.05 Δx at 0.2 of a

@@ -133,7 +133,7 @@ void Canvas::text(Pixel at, Align align, double size, const std::string& text, C
     }
 }
 
-void Canvas::write_png(const std::filesystem::path& path, const Provenance& provenance) const {
+std::string Canvas::png(const Provenance& provenance) const {
     vtkNew<vtkImageData> image;
     image->SetDimensions(width_, height_, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -153,8 +153,12 @@ void Canvas::write_png(const std::filesystem::path& path, const Provenance& prov
     writer->SetInputData(image);
     writer->Write();
     vtkUnsignedCharArray* bytes = writer->GetResult();
-    write_text(path, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                      static_cast<std::size_t>(bytes->GetNumberOfValues())});
+    return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+            static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+void Canvas::write_png(const std::filesystem::path& path, const Provenance& provenance) const {
+    write_text(path, png(provenance));
 }
 
 }  // namespace tidewater::io

@@ -45,6 +45,9 @@ public:
     // One line of text, vertically centred on `at`; size is the height of its letters' body in pixels.
     void text(Pixel at, Align align, double size, const std::string& text, Color color = palette::ink);
 
+    // The bytes of a PNG file of it.
+    std::string png(const Provenance& provenance) const;
+
     // Replaces path as a whole; the provenance goes into the PNG's text entries. Throws OutputError.
     void write_png(const std::filesystem::path& path, const Provenance& provenance) const;
 

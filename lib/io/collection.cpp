@@ -10,7 +10,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "core/files.h"
@@ -61,9 +60,7 @@ std::string xml_comment(const Provenance& provenance) {
 }  // namespace
 
 std::string particles_name(std::size_t frame) {
-    char name[48];
-    std::snprintf(name, sizeof name, "particles_%04zu.vtp", frame);
-    return name;
+    return numbered_name("particles", frame, "vtp");
 }
 
 void write_particles(const std::filesystem::path& path, const Snapshot& snapshot,

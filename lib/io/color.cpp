@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <numbers>
 #include <vector>
 
 namespace tidewater::io {
@@ -50,12 +51,8 @@ Lab along(const std::vector<Lab>& anchors, double length) {
     return anchors.front();
 }
 
-std::array<Color, 256> make_scale() {
-    std::vector<Lab> anchors;
-    for (const Color color : {Color{16, 34, 92}, Color{18, 70, 140}, Color{22, 108, 156}, Color{44, 142, 152},
-                              Color{98, 176, 136}, Color{172, 208, 124}, Color{252, 240, 158}}) {
-        anchors.push_back(to_oklab(color));
-    }
+// 256 colours along the line through the anchors, in equal steps.
+std::array<Color, 256> make_scale(const std::vector<Lab>& anchors) {
     double length = 0.0;
     for (std::size_t i = 1; i < anchors.size(); ++i) length += distance(anchors[i - 1], anchors[i]);
     std::array<Color, 256> scale;
@@ -63,6 +60,29 @@ std::array<Color, 256> make_scale() {
         scale[i] = from_oklab(along(anchors, length * static_cast<double>(i) / 255.0));
     }
     return scale;
+}
+
+std::vector<Lab> speed_anchors() {
+    std::vector<Lab> anchors;
+    for (const Color color : {Color{16, 34, 92}, Color{18, 70, 140}, Color{22, 108, 156}, Color{44, 142, 152},
+                              Color{98, 176, 136}, Color{172, 208, 124}, Color{252, 240, 158}}) {
+        anchors.push_back(to_oklab(color));
+    }
+    return anchors;
+}
+
+// From white through a hue (degrees in OKLab's a-b plane) at full chroma to its dark.
+std::vector<Lab> arm_anchors(double hue) {
+    const double angle = hue * std::numbers::pi / 180.0;
+    const auto lab = [&](double lightness, double chroma) {
+        return Lab{lightness, chroma * std::cos(angle), chroma * std::sin(angle)};
+    };
+    return {lab(0.98, 0.0), lab(0.70, 0.125), lab(0.36, 0.085)};
+}
+
+Color pick(const std::array<Color, 256>& scale, double share) {
+    if (!(share > 0.0)) return scale.front();
+    return scale[static_cast<std::size_t>(std::lround(255.0 * std::min(share, 1.0)))];
 }
 
 }  // namespace
@@ -74,9 +94,14 @@ Color line_color(std::size_t index) {
 }
 
 Color scale_color(double share) {
-    static const std::array<Color, 256> scale = make_scale();
-    if (!(share > 0.0)) return scale.front();
-    return scale[static_cast<std::size_t>(std::lround(255.0 * std::min(share, 1.0)))];
+    static const std::array<Color, 256> scale = make_scale(speed_anchors());
+    return pick(scale, share);
+}
+
+Color diverging_color(double value) {
+    static const std::array<Color, 256> blue = make_scale(arm_anchors(250.0)),
+                                        orange = make_scale(arm_anchors(55.0));
+    return value < 0.0 ? pick(blue, -value) : pick(orange, value);
 }
 
 Color mixed(Color from, Color to, double share) {

@@ -22,6 +22,7 @@ inline constexpr Color ground{168, 152, 132};
 inline constexpr Color ice{214, 232, 240};
 inline constexpr Color failed_ice{98, 94, 92};
 inline constexpr Color water{58, 112, 164};
+inline constexpr Color no_value{176, 176, 176};
 }  // namespace palette
 
 // Lines that stay apart for all common kinds of colour blindness (Okabe & Ito 2008). index is taken modulo
@@ -32,6 +33,11 @@ Color line_color(std::size_t index);
 // monotonically and equal steps look equal, as distances in OKLab (Ottosson 2020), so that it also reads in
 // grey and with colour blindness.
 Color scale_color(double share);
+
+// Colour of a quantity from -1 to 1, clamped: blue below zero, white at zero, orange to brown above. Both
+// sides get darker alike and in steps that look equal, so that in grey, and with colour blindness, equal
+// sizes look equal.
+Color diverging_color(double value);
 
 // Colour of ice that has lost this share of its strength, clamped: from palette::ice to palette::failed_ice.
 // Where failed ice is as dark as water at scale_color, it is grey and the water is not.

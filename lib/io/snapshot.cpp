@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -76,9 +75,7 @@ std::optional<std::size_t> frame_number(const std::string& name) {
 }  // namespace
 
 std::string snapshot_name(std::size_t frame) {
-    char name[40];
-    std::snprintf(name, sizeof name, "frame_%04zu.hdf", frame);
-    return name;
+    return numbered_name("frame", frame, "hdf");
 }
 
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,

@@ -29,8 +29,12 @@ struct Snapshot {
     std::vector<std::uint8_t> material;  // the numbers of core's Material
     std::vector<std::uint32_t> id;       // the particle's number; the same in every frame
 
+    std::vector<float> principal_stress;  // Pa, tension positive (mpm/principal_stress.h); NaN: no ice.
+                                          // Empty in runs without ice
+
     // Of runs with ice that fractures; else empty.
     std::vector<float> damage;        // share of the strength lost, 1 - p0(α)/p0(α0); 0 for water and rigid
+    std::vector<float> alpha;         // hardening α: failed from 0 on, above it what has opened; NaN: no ice
     std::vector<float> failure_time;  // s, when the ice had lost all of it; NaN: not failed, or no ice
 
     std::size_t particle_count() const { return points.size() / 3; }
@@ -54,7 +58,9 @@ inline constexpr std::tuple snapshot_columns{
     SnapshotColumn<float>{"volume", 1, &Snapshot::volume},
     SnapshotColumn<std::uint8_t>{"material", 1, &Snapshot::material},
     SnapshotColumn<std::uint32_t>{"id", 1, &Snapshot::id},
+    SnapshotColumn<float>{"principal_stress", 1, &Snapshot::principal_stress, true, true},
     SnapshotColumn<float>{"damage", 1, &Snapshot::damage, true},
+    SnapshotColumn<float>{"alpha", 1, &Snapshot::alpha, true, true},
     SnapshotColumn<float>{"failure_time", 1, &Snapshot::failure_time, true, true},
 };
 

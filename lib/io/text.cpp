@@ -59,6 +59,12 @@ std::string escape_xml(std::string_view text) {
     return escaped;
 }
 
+std::string numbered_name(std::string_view stem, std::size_t frame, std::string_view extension) {
+    std::string digits = std::to_string(frame);
+    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+    return std::string(stem) + "_" + digits + "." + std::string(extension);
+}
+
 std::string encode_base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string encoded;

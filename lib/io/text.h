@@ -1,6 +1,7 @@
 // Numbers and names as text, the same in every locale.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ std::optional<double> parse_number(std::string_view text);
 
 // With &, <, >, " and ' replaced, for XML text and attributes.
 std::string escape_xml(std::string_view text);
+
+// "frame_0007.hdf" of ("frame", 7, "hdf"): the name of a file of one frame; more digits from frame 10000 on.
+std::string numbered_name(std::string_view stem, std::size_t frame, std::string_view extension);
 
 // As base64 (RFC 4648), without line ends.
 std::string encode_base64(std::string_view bytes);

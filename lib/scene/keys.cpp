@@ -11,7 +11,7 @@ namespace tidewater::scene {
 std::span<const Key> all_keys() {
     static const std::vector<Key> keys = [] {
         std::vector<Key> all;
-        for (const auto part : {tank_keys(), glacier_keys(), run_keys()})
+        for (const auto part : {tank_keys(), glacier_keys(), run_keys(), postprocess_keys()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -14,5 +14,6 @@ inline constexpr Range not_negative{.least = 0.0};
 std::span<const Key> tank_keys();
 std::span<const Key> glacier_keys();
 std::span<const Key> run_keys();
+std::span<const Key> postprocess_keys();
 
 }  // namespace tidewater::scene

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 #include "core/files.h"
 #include "core/hash.h"
@@ -104,6 +105,20 @@ std::string stage_part(const Scene& scene, Stage stage) { return plain_text(scen
 std::string scene_hash(const Scene& scene, Stage stage) {
     const unsigned up_to_stage = 2 * by(stage) - 1;
     return hash_hex(hash_text(plain_text(scene, up_to_stage)));
+}
+
+std::string values_of(const Scene& scene, std::span<const std::string_view> names) {
+    std::string text;
+    for (const std::string_view name : names) {
+        bool known = false;
+        for (const Key& key : all_keys()) {
+            if (key.name != name && !(name.ends_with('.') && key.name.starts_with(name))) continue;
+            known = true;
+            if (key.changes_results && key.applies(scene)) text += plain_lines(key, scene);
+        }
+        if (!known) throw std::invalid_argument(std::string(name) + ": no key or section of a scene");
+    }
+    return text;
 }
 
 std::string key_reference() {

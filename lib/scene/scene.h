@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -264,6 +265,11 @@ std::string stage_part(const Scene& scene, Stage stage);
 // Fingerprint of all keys that change the results of `stage` or of a stage before it, for provenance: results
 // keep their bytes when a key changes that only later stages read.
 std::string scene_hash(const Scene& scene, Stage stage);
+
+// The lines of resolved_text with these keys, without comments: what a result that depends on them was made
+// with. A name ending in a dot stands for all keys of that section. Keys that do not apply to the scene, or
+// change no result, are left out. Throws std::invalid_argument if a name is no key's and no section's.
+std::string values_of(const Scene& scene, std::span<const std::string_view> names);
 
 // The reference of all keys: name, type, unit, default, valid range, effect, stages, help.
 std::string key_reference();

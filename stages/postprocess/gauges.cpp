@@ -1,10 +1,13 @@
 #include "gauges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
+#include "analysis/surface.h"
+#include "common/tank.h"
 #include "core/error.h"
 #include "io/table.h"
 #include "io/text.h"
@@ -82,6 +85,44 @@ std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path) {
                              "\" names no place; run tidewater-simulate again");
         }
         records.push_back({*place, "run", time, table.values[c]});
+    }
+    return records;
+}
+
+FrameProduct gauges_product(const StageContext& context, const Ground& ground) {
+    const scene::Scene& scene = context.scene;
+    const auto places = gauge_places(scene.postprocess.gauges, scene, ground);
+    std::vector<std::string> columns{"time"};
+    for (const auto& gauge : scene.postprocess.gauges) columns.push_back(io::place_name(gauge_name(gauge)));
+    constexpr std::array<std::string_view, 1> keys{"postprocess.gauges"};
+    return {.name = "gauges",
+            .settings = scene::values_of(scene, keys),
+            .files =
+                [any = !places.empty()](std::size_t frame) {
+                    return any ? std::vector{frame_file("gauges", frame)} : std::vector<std::string>{};
+                },
+            .make =
+                [=, tank = make_tank(scene), folder = context.folder](
+                    std::size_t frame, const io::Snapshot& snapshot, const Provenance& provenance) {
+                    std::vector<double> row = analysis::surface_elevation(
+                        {snapshot.points, snapshot.volume, snapshot.material}, tank, places);
+                    row.insert(row.begin(), snapshot.time);
+                    io::TableWriter table(folder / frame_file("gauges", frame), provenance, columns);
+                    table.append(row);
+                    table.finish();
+                },
+            .follows = false};
+}
+
+std::vector<GaugeRecord> gather_gauges(const StageContext& context, const Frames& frames) {
+    std::vector<GaugeRecord> records;
+    for (const auto& gauge : context.scene.postprocess.gauges)
+        records.push_back({gauge_name(gauge), "snapshots", frames.times, {}});
+    for (std::size_t frame = 0; frame < frames.times.size() && !records.empty(); ++frame) {
+        const auto path = context.folder / frame_file("gauges", frame);
+        const io::Table table = io::read_table(path);
+        for (GaugeRecord& record : records)
+            record.elevation.push_back(io::require_column(table, io::place_name(record.place), path).at(0));
     }
     return records;
 }

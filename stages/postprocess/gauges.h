@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "analysis/wave.h"
+#include "common/ground.h"
+#include "common/stage.h"
 #include "core/provenance.h"
+#include "frame_pass.h"
 #include "io/places.h"
 #include "scene/scene.h"
 
@@ -21,6 +24,11 @@ struct GaugeRecord {
 
 // The records of simulate/gauges.csv. Throws InputError if it is missing or damaged.
 std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path);
+
+// The elevations at postprocess.gauges in every frame, frames/gauges_NNNN.csv, and the records gathered from
+// them; no files and no records without gauges.
+FrameProduct gauges_product(const StageContext& context, const Ground& ground);
+std::vector<GaugeRecord> gather_gauges(const StageContext& context, const Frames& frames);
 
 // Writes records of equal times as a table with the columns time, x=<x> or x=<x> y=<y>, ...
 void write_gauges(const std::filesystem::path& path, const std::vector<GaugeRecord>& records,

@@ -1,5 +1,6 @@
 // tidewater-postprocess: from the results of simulate to pictures, charts, wave statistics, icebergs and a
 // ParaView collection.
+#include <array>
 #include <cstdio>
 
 #include "bodies.h"
@@ -12,6 +13,10 @@
 #include "gauges.h"
 #include "icebergs.h"
 #include "io/table.h"
+#include "particles.h"
+#include "pictures.h"
+#include "profiles.h"
+#include "stamps.h"
 #include "tsunami.h"
 
 namespace tidewater::postprocess {
@@ -52,6 +57,16 @@ void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodie
     std::fputs(describe(tsunami).c_str(), stdout);
 }
 
+// What is made of single frames, and only of those that need it.
+void work_on_frames(const StageContext& context, const Frames& frames, const Ground& ground, Stamps& stamps) {
+    const auto chosen = choose_pictures(frames.times, context.scene);
+    const std::array products{particles_product(context), gauges_product(context, ground),
+                              profile_product(context, ground), speed_product(context, chosen)};
+    make_frame_products(context, frames, products, "frames", stamps);
+    make_pictures(context, frames, chosen, ground, stamps);
+    stamps.remove_unclaimed();
+}
+
 // waves.csv comes last: where it exists, everything else does.
 void work(StageContext& context) {
     check_picture_window(context.scene);
@@ -64,15 +79,21 @@ void work(StageContext& context) {
     const std::vector<Body> bodies = read_run_bodies(context);
     const EnergySplit split =
         bodies.empty() ? EnergySplit{} : split_energy(ledger, simulated / "ledger.csv", bodies);
+    const Ground ground = read_ground(context.scene, geometry_file(context));
 
     remove_earlier_results(context.folder);
+    make_output_folder(context.folder / "frames");
+    Stamps stamps(context.folder);
     write_resolved_scene(context);
-    const FromFrames read = process_frames(context, frames);
-    if (!read.gauges.empty()) write_gauges(context.folder / "gauges.csv", read.gauges, context.provenance);
-    records.insert(records.end(), read.gauges.begin(), read.gauges.end());
+    work_on_frames(context, frames, ground, stamps);
+    write_particles_collection(context, frames);
+    const std::vector<GaugeRecord> read = gather_gauges(context, frames);
+    if (!read.empty()) write_gauges(context.folder / "gauges.csv", read, context.provenance);
+    records.insert(records.end(), read.begin(), read.end());
     work_on_icebergs(context, frames);
     if (!bodies.empty())
-        work_on_tsunami(context, bodies, find_tsunami(bodies, read.profiles, split, context.scene));
+        work_on_tsunami(context, bodies,
+                        find_tsunami(bodies, gather_profiles(context, frames), split, context.scene));
     const Waves waves = analyse(std::move(records), context.scene);
     write_text(context.folder / "energy.svg", energy);
     write_text(context.folder / "gauges.svg", gauge_chart(waves, context));

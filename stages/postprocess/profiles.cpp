@@ -1,12 +1,14 @@
 #include "profiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "analysis/surface.h"
 #include "common/tank.h"
 #include "core/types.h"
+#include "io/table.h"
 
 namespace tidewater::postprocess {
 namespace {
@@ -28,34 +30,66 @@ std::vector<bool> covered_places(const io::Snapshot& snapshot, const analysis::T
     return covered;
 }
 
+// A cell apart, m.
+std::vector<double> places_along(const scene::Scene& scene) {
+    const double cell = scene.domain.cell_size;
+    const auto count = static_cast<std::size_t>(scene.domain.size.front() / cell + 1e-9);
+    std::vector<double> x;
+    for (std::size_t i = 0; i < count; ++i) x.push_back((static_cast<double>(i) + 0.5) * cell);
+    return x;
+}
+
+std::vector<double> profile(const io::Snapshot& snapshot, const analysis::Tank& tank,
+                            const std::vector<double>& x, const std::vector<analysis::Place>& places) {
+    auto elevation =
+        analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank, places);
+    const std::vector<bool> covered = covered_places(snapshot, tank, x);
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        if (covered[i]) elevation[i] = analysis::none;
+    }
+    return elevation;
+}
+
 }  // namespace
 
 bool makes_first_wave(const scene::Scene& scene) {
     return scene.has("rigid") && scene.has("water") && scene.domain.gravity > 0.0;
 }
 
-SurfaceProfiles start_profiles(const scene::Scene& scene) {
-    SurfaceProfiles profiles;
-    if (!makes_first_wave(scene)) return profiles;
-    const double cell = scene.domain.cell_size;
-    const auto count = static_cast<std::size_t>(scene.domain.size.front() / cell + 1e-9);
-    for (std::size_t i = 0; i < count; ++i) profiles.x.push_back((static_cast<double>(i) + 0.5) * cell);
-    return profiles;
+FrameProduct profile_product(const StageContext& context, const Ground& ground) {
+    const scene::Scene& scene = context.scene;
+    const std::vector<double> x = places_along(scene);
+    scene::Points points;
+    for (const double each : x) points.push_back({each});
+    return {
+        .name = "profile",
+        .settings = {},
+        .files =
+            [any = makes_first_wave(scene)](std::size_t frame) {
+                return any ? std::vector{frame_file("profile", frame)} : std::vector<std::string>{};
+            },
+        .make =
+            [x, tank = make_tank(scene), places = gauge_places(points, scene, ground),
+             folder = context.folder](std::size_t frame, const io::Snapshot& snapshot,
+                                      const Provenance& provenance) {
+                const auto elevation = profile(snapshot, tank, x, places);
+                io::TableWriter table(folder / frame_file("profile", frame), provenance, {"x", "elevation"});
+                for (std::size_t i = 0; i < x.size(); ++i) table.append(std::array{x[i], elevation[i]});
+                table.finish();
+            },
+        .follows = false};
 }
 
-void append_profile(const io::Snapshot& snapshot, const scene::Scene& scene, const Ground& ground,
-                    SurfaceProfiles& profiles) {
-    if (profiles.x.empty()) return;
-    const analysis::Tank tank = make_tank(scene);
-    scene::Points places;
-    for (const double x : profiles.x) places.push_back({x});
-    auto elevation = analysis::surface_elevation({snapshot.points, snapshot.volume, snapshot.material}, tank,
-                                                 gauge_places(places, scene, ground));
-    const std::vector<bool> covered = covered_places(snapshot, tank, profiles.x);
-    for (std::size_t i = 0; i < covered.size(); ++i) {
-        if (covered[i]) elevation[i] = analysis::none;
+SurfaceProfiles gather_profiles(const StageContext& context, const Frames& frames) {
+    SurfaceProfiles profiles;
+    if (!makes_first_wave(context.scene)) return profiles;
+    profiles.x = places_along(context.scene);
+    for (std::size_t frame = 0; frame < frames.times.size(); ++frame) {
+        const auto path = context.folder / frame_file("profile", frame);
+        profiles.of_time.push_back(
+            {frames.times[frame], io::require_column(io::read_table(path), "elevation", path)});
     }
-    profiles.of_time.push_back({snapshot.time, std::move(elevation)});
+    return profiles;
 }
 
 }  // namespace tidewater::postprocess

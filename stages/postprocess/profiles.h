@@ -5,7 +5,8 @@
 
 #include "analysis/first_wave.h"
 #include "common/ground.h"
-#include "io/snapshot.h"
+#include "common/stage.h"
+#include "frame_pass.h"
 #include "scene/scene.h"
 
 namespace tidewater::postprocess {
@@ -18,12 +19,10 @@ struct SurfaceProfiles {
 // Whether a scene has a block, water and gravity, and so a first wave.
 bool makes_first_wave(const scene::Scene& scene);
 
-// The places; none in a scene that makes no first wave.
-SurfaceProfiles start_profiles(const scene::Scene& scene);
-
-// Adds the profile of a frame, if there are places; without an elevation where a block covers the place or
-// comes within a cell of it, also deep below, for the surface over a block is no wave's.
-void append_profile(const io::Snapshot& snapshot, const scene::Scene& scene, const Ground& ground,
-                    SurfaceProfiles& profiles);
+// frames/profile_NNNN.csv of every frame, x (m) and elevation (m), and the profiles gathered from them; no
+// files and no profiles in a scene that makes no first wave. There is no elevation where a block covers the
+// place or comes within a cell of it, also deep below, for the surface over a block is no wave's.
+FrameProduct profile_product(const StageContext& context, const Ground& ground);
+SurfaceProfiles gather_profiles(const StageContext& context, const Frames& frames);
 
 }  // namespace tidewater::postprocess

@@ -13,6 +13,7 @@
 #include "mpm/lift.h"
 #include "mpm/motion.h"
 #include "mpm/pressure.h"
+#include "mpm/principal_stress.h"
 #include "mpm/sensor.h"
 
 namespace tidewater {
@@ -135,7 +136,8 @@ void append_body(const mpm::RigidBody& body, double cell_size, double spacing, s
     const auto points = mpm::points_within<D>(body, cell_size, spacing);
     const double volume = 1.0 / static_cast<double>(points.size());
     Vector<D, double> size = 2.0 * mpm::drop<D>(body.half_size);
-    const bool fractures = !snapshot.damage.empty();
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    const bool fractures = !snapshot.damage.empty(), has_ice = !snapshot.principal_stress.empty();
     for (const auto& point : points) {
         const Eigen::Vector3d arm = mpm::lift<D>(point) - body.center_in_box(cell_size);
         snapshot.id.push_back(number--);
@@ -146,29 +148,43 @@ void append_body(const mpm::RigidBody& body, double cell_size, double spacing, s
         snapshot.pressure.push_back(0.0f);
         snapshot.volume.push_back(static_cast<float>(volume * size.prod()));
         snapshot.material.push_back(static_cast<std::uint8_t>(Material::rigid));
+        if (has_ice) snapshot.principal_stress.push_back(none);
         if (fractures) {
             snapshot.damage.push_back(0.0f);
-            snapshot.failure_time.push_back(std::numeric_limits<float>::quiet_NaN());
+            snapshot.alpha.push_back(none);
+            snapshot.failure_time.push_back(none);
         }
     }
 }
 
-// Appends what is known of a body's failure; NaN where it has not failed, as snapshots have it.
+// Appends what is known of a body's failure; NaN where there is nothing to know, as snapshots have it.
 template <int D, class Real>
 void append_failure(const mpm::IceModel& ice, const mpm::Particles<D, Real>& particles,
                     io::Snapshot& snapshot) {
     const double limit = ice.hardening * std::abs(ice.initial_alpha(D)), whole = std::sinh(limit);
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        float damage = 0.0f, failed = std::numeric_limits<float>::quiet_NaN();
+        float damage = 0.0f, alpha = std::numeric_limits<float>::quiet_NaN(), failed = alpha;
         if (!particles.alpha.empty()) {
+            alpha = static_cast<float>(particles.alpha[p]);
             const double angle = ice.hardening * std::max(-static_cast<double>(particles.alpha[p]), 0.0);
             damage = static_cast<float>(std::max(1.0 - std::sinh(std::min(angle, limit)) / whole, 0.0));
             if (std::isfinite(particles.failure_time[p]))
                 failed = static_cast<float>(particles.failure_time[p]);
         }
         snapshot.damage.push_back(damage);
+        snapshot.alpha.push_back(alpha);
         snapshot.failure_time.push_back(failed);
     }
+}
+
+// Appends the body's stress; NaN for what is no ice.
+template <int D, class Real>
+void append_stress(const mpm::IceModel& ice, const mpm::Particles<D, Real>& particles,
+                   io::Snapshot& snapshot) {
+    const auto stress = mpm::principal_stress(ice, particles);
+    auto& all = snapshot.principal_stress;
+    all.insert(all.end(), stress.begin(), stress.end());
+    all.resize(snapshot.id.size(), std::numeric_limits<float>::quiet_NaN());
 }
 
 template <int D, class Real>
@@ -177,6 +193,8 @@ void Records<D, Real>::write_frame(const mpm::Simulation<D, Real>& s) {
     snapshot.dimension = D;
     snapshot.time = s.time;
     const auto pressure = mpm::grid_pressure(s);
+    const bool has_ice = std::ranges::any_of(
+        s.bodies, [](const auto& particles) { return particles.material == Material::ice; });
     for (std::size_t body = 0; body < s.bodies.size(); ++body) {
         const auto& particles = s.bodies[body];
         snapshot.pressure.insert(snapshot.pressure.end(), pressure[body].begin(), pressure[body].end());
@@ -184,6 +202,7 @@ void Records<D, Real>::write_frame(const mpm::Simulation<D, Real>& s) {
         snapshot.material.insert(snapshot.material.end(), particles.size(),
                                  static_cast<std::uint8_t>(particles.material));
         snapshot.volume.insert(snapshot.volume.end(), particles.size(), static_cast<float>(particles.volume));
+        if (has_ice) append_stress<D>(s.parameters.ice, particles, snapshot);
         if (s.parameters.ice.fracture) append_failure<D>(s.parameters.ice, particles, snapshot);
         const std::size_t first = snapshot.points.size();
         snapshot.points.resize(first + 3 * particles.size(), 0.0f);

@@ -29,6 +29,9 @@ expect_same "$output" 1
 run "$bin/tidewater-postprocess" tiny_ice.toml --run whole --set simulate.end_time=6
 expect_code 0
 expect_line "first iceberg: came off at "
+for column in principal_stress damage alpha failure_time; do
+    grep --quiet "Name=\"$column\"" whole/postprocess/particles_0003.vtp || fail_case "frames have no $column"
+done
 rm -r whole/postprocess
 
 case_named "one thread and three give the same bytes as two"

@@ -152,6 +152,19 @@ TEST_CASE("on logarithmic axes a power law is straight, and what is not above ze
     CHECK(count(svg, "inf") + count(svg, "nan") == 0);
 }
 
+TEST_CASE("logarithmic charts with nothing to show, with one point or a short range are well-formed too") {
+    Chart chart{.title = "t", .x_label = "x", .panels = {ChartPanel{}}};
+    chart.panels[0].log_x = chart.panels[0].log_y = true;
+    chart.panels[0].lines = {{.label = {}, .x = {0.0, -1.0}, .y = {0.0, 3.0}}};
+    CHECK(well_formed(draw_chart(chart, test_provenance())));
+    chart.panels[0].lines[0] = {.label = {}, .x = {5.0}, .y = {3.0}, .dots = true};
+    const std::string svg = draw_chart(chart, test_provenance());
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(count(svg, "<circle") == 1);
+    chart.panels[0].lines[0] = {.label = {}, .x = {5.0, 6.0}, .y = {3.0, 3.3}};
+    CHECK(count(draw_chart(chart, test_provenance()), ">3.1<") == 1);
+}
+
 TEST_CASE("charts without panels, lines, points or extent are well-formed too") {
     Chart chart{.title = "empty", .x_label = "x", .panels = {}};
     CHECK(well_formed(draw_chart(chart, test_provenance())));

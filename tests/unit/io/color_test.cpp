@@ -53,6 +53,28 @@ TEST_CASE("solids stand out from the scale, the air and each other") {
     CHECK(difference(palette::failed_ice, palette::ice) > 0.1);
 }
 
+TEST_CASE(
+    "the diverging scale is white at zero and gets darker on both sides alike, in steps that look equal") {
+    constexpr int steps = 8;
+    for (const double sign : {-1.0, 1.0}) {
+        double least = 1.0, greatest = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            const Color a = diverging_color(sign * i / steps), b = diverging_color(sign * (i + 1.0) / steps);
+            CHECK(to_oklab(b)[0] < to_oklab(a)[0]);
+            least = std::min(least, difference(a, b));
+            greatest = std::max(greatest, difference(a, b));
+        }
+        CHECK(greatest < 1.25 * least);
+    }
+    for (double size = 0.0; size <= 1.0; size += 0.125) {
+        const Color below = diverging_color(-size), above = diverging_color(size);
+        CHECK(std::abs(to_oklab(below)[0] - to_oklab(above)[0]) < 0.02);
+        if (size >= 0.25) CHECK(difference(below, above) > 0.1);
+    }
+    CHECK(diverging_color(-7.0) == diverging_color(-1.0));
+    CHECK(to_oklab(diverging_color(0.0))[0] > 0.97);
+}
+
 TEST_CASE("ice gets darker with damage, which is clamped") {
     for (double share = 0.0; share < 1.0; share += 0.125)
         CHECK(to_oklab(damage_color(share + 0.125))[0] < to_oklab(damage_color(share))[0]);

@@ -48,7 +48,10 @@ inline Snapshot test_snapshot_of_ice(std::size_t count) {
     Snapshot snapshot = test_snapshot(count);
     for (std::size_t i = 0; i < count; ++i) {
         const bool failed = i % 4 == 0;
+        snapshot.principal_stress.push_back(i % 5 == 0 ? std::numeric_limits<float>::quiet_NaN()
+                                                       : 1000.0f * static_cast<float>(i));
         snapshot.damage.push_back(failed ? 1.0f : 0.25f);
+        snapshot.alpha.push_back(failed ? 0.125f : -0.001f);
         snapshot.failure_time.push_back(failed ? 0.5f : std::numeric_limits<float>::quiet_NaN());
     }
     return snapshot;

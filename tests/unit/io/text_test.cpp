@@ -41,3 +41,9 @@ TEST_CASE("base64 is that of RFC 4648") {
     CHECK(encode_base64("\xff\xfe\xfb") == "//77");
     CHECK(encode_base64(std::string("\0\0\0", 3)) == "AAAA");
 }
+
+TEST_CASE("a file of a frame is named by its number") {
+    CHECK(numbered_name("frame", 0, "hdf") == "frame_0000.hdf");
+    CHECK(numbered_name("a_b", 123, "csv") == "a_b_0123.csv");
+    CHECK(numbered_name("frame", 10000, "hdf") == "frame_10000.hdf");
+}

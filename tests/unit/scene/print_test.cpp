@@ -127,3 +127,15 @@ TEST_CASE("the reference tells type, unit, range, default, effect and stages of 
                     "    one of \"slip\", \"stick\" or \"separate\"; default \"slip\"; in 3D\n") !=
           text.npos);
 }
+
+TEST_CASE("the values of single keys and of whole sections are told") {
+    const Scene scene = read_text_as_scene(block_scene, {"postprocess.picture_width=500"});
+    const auto values = [&](std::vector<std::string_view> names) { return values_of(scene, names); };
+    CHECK(values({}) == "");
+    CHECK(values({"postprocess.picture_width"}) == "postprocess.picture_width = 500\n");
+    CHECK(values({"postprocess."}).find("postprocess.picture_width = 500\n") != std::string::npos);
+    CHECK(values({"postprocess."}).find("block") == std::string::npos);
+    CHECK(values({"postprocess.iceberg_damage"}) == "");  // no fracture
+    CHECK_THROWS_AS(values({"postprocess.picture"}), std::invalid_argument);
+    CHECK_THROWS_AS(values({"nothing."}), std::invalid_argument);
+}
