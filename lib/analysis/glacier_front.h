@@ -33,7 +33,7 @@ FrontRows find_front(std::span<const float> points, std::span<const std::uint32_
 
 // How far behind the front, as it was before, an iceberg broke: the mean, over the lines along x a spacing in
 // y and z that it fills, of the row's front less the iceberg's rear end; lines of rows without a front do not
-// count. NaN if none does.
+// count. NaN if none does. Both fronts and ends are best taken where the ice was at rest.
 double break_distance(std::span<const float> points, std::span<const std::uint32_t> iceberg,
                       const FrontRows& before, double spacing);
 

@@ -37,6 +37,8 @@ struct IcebergEvent {
     std::uint32_t iceberg = none;  // that is new, has merged into another or is gone
     std::uint32_t other = none;    // from which it split, into which it merged; none: neither
     double volume = 0.0;           // at rest, m³ (2D: m²): of the new iceberg; of what merged; gone: 0
+
+    bool calved() const { return kind == Kind::split && other == glacier_id; }
 };
 
 // Flat arrays, one entry per particle; id different for each.

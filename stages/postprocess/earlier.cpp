@@ -35,8 +35,8 @@ void require_same_scene(const std::filesystem::path& simulated, const scene::Sce
 void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
         R"((particles\.pvd|frames\.html|)"
-        R"((gauges|celerity|energy|bodies|energy_split|first_wave)\.svg|)"
-        R"((gauges|waves|icebergs|fragments|first_wave|waves_3d|tsunami|energy_split)\.csv)(\.part)?)");
+        R"((gauges|celerity|energy|bodies|energy_split|first_wave|sizes|calving)\.svg|)"
+        R"((gauges|waves|icebergs|iceberg_summary|iceberg_events|calving|sizes|size_histogram|size_fits|fragments|first_wave|waves_3d|tsunami|energy_split)\.csv)(\.part)?)");
     std::error_code error;
     std::vector<std::filesystem::path> found{folder / "waves.csv"};
     std::filesystem::directory_iterator entry(folder, error);
