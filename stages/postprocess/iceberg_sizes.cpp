@@ -76,7 +76,7 @@ void write_fits(const std::filesystem::path& path, const std::vector<SizeSet>& s
             low = published.low;
             high = published.high;
         }
-        std::string doubt = d.doubt.empty() ? "none" : d.doubt;
+        std::string doubt = d.doubt;
         std::ranges::replace(doubt, ',', ';');
         for (const ModelRow& m : models(d)) {
             // The ratio of the exponential's row is that of the truncated law over it: turned round here.

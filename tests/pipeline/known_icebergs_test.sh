@@ -62,10 +62,10 @@ expect_same "$(rows $out/main_event.csv time icebergs largest volume failed_widt
 expect_line "main event: between 0.00 and 1.00 s, 1200 m² per m of width in 1 iceberg; failed width 30.0 m"
 
 case_named "sizes of a power law give its exponent back within the interval"
-expect_same "$(rows $out/size_fits.csv sizes doubt -- '$c["set"] == "last" && $c["model"] == "truncated_power_law"')" "250 none"
-rows $out/size_fits.csv exponent_low exponent_high cutoff_low cutoff_high p -- \
-    '$c["set"] == "last" && $c["model"] == "truncated_power_law"' >fit
-awk '{ exit !($1 < 1.5 && 1.5 < $2 && $3 < 2000 && 2000 < $4 && $5 > 0.1) }' fit || fail_case "the fit is $(cat fit)"
+law='$c["set"] == "last" && $c["model"] == "power_law"'
+expect_same "$(rows $out/size_fits.csv sizes published_low doubt -- "$law")" "250 1.5 "
+rows $out/size_fits.csv exponent_low exponent_high p -- "$law" >fit
+awk '{ exit !($1 < 2 && 2 < $2 && $2 - $1 < 0.6 && $3 > 0.1) }' fit || fail_case "the fit is $(cat fit)"
 expect_same "$(rows $out/sizes.csv count -- '$c["set"] == "last"' | head -1)" 250
 expect_same "$(rows $out/size_histogram.csv count -- '$c["set"] == "last"' | awk '{ n += $1 } END { print n }')" 250
 expect_file $out/sizes.svg

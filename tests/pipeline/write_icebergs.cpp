@@ -72,8 +72,7 @@ io::Snapshot frame(const scene::Scene& scene, int number, const std::vector<doub
 
 void write_run(const std::filesystem::path& scene_file, const std::filesystem::path& run) {
     const scene::Scene scene = scene::read_scene(scene_file);
-    const analysis::SizeFit law{
-        .model = analysis::SizeModel::truncated_power_law, .exponent = 1.5, .cutoff = 2000.0};
+    const analysis::SizeFit law{.model = analysis::SizeModel::power_law, .exponent = 2.0};
     const std::vector<double> sizes = analysis::draw_sizes(law, 30.0, 250, 11, 0);
     const auto folder = run / "simulate";
     make_output_folder(folder);
