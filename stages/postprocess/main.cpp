@@ -9,9 +9,12 @@
 #include "core/files.h"
 #include "earlier.h"
 #include "energy_split.h"
+#include "first_iceberg.h"
 #include "frames.h"
 #include "gauges.h"
-#include "icebergs.h"
+#include "iceberg_frames.h"
+#include "iceberg_sizes.h"
+#include "iceberg_tables.h"
 #include "io/table.h"
 #include "particles.h"
 #include "pictures.h"
@@ -28,12 +31,19 @@ namespace tidewater::postprocess {
 namespace {
 
 void work_on_icebergs(const StageContext& context, const Frames& frames) {
-    const auto icebergs = find_icebergs(frames, context.scene);
-    if (!icebergs) return;
-    write_icebergs(context.folder / "icebergs.csv", *icebergs, context.scene.ice.model.density,
-                   context.provenance);
-    write_fragments(context.folder / "fragments.csv", *icebergs, context.provenance);
-    std::fputs(describe(*icebergs).c_str(), stdout);
+    if (!context.scene.has("ice")) return;
+    const int dimension = context.scene.dimension;
+    const IcebergTables tables = gather_icebergs(context, frames);
+    const std::vector<SizeSet> sizes = find_sizes(tables, context.scene);
+    write_icebergs(context, frames, tables);
+    write_sizes(context, sizes);
+    write_chart(context, "sizes", size_chart(sizes, context));
+    write_chart(context, "calving", calving_chart(tables.calving, context));
+    if (const auto first = read_first_iceberg(context.folder))
+        std::fputs(describe(*first, dimension).c_str(), stdout);
+    if (const auto event = read_main_event(context.folder))
+        std::fputs(describe(*event, dimension).c_str(), stdout);
+    std::fputs((describe(tables, dimension) + describe(sizes)).c_str(), stdout);
 }
 
 // None where no block makes a wave, or, with a line that says so, if simulate was run before it wrote bodies.
@@ -84,8 +94,13 @@ void work_on_waves(const StageContext& context, const Waves& waves, const Surfac
 // What is made of single frames, and only of those that need it.
 void work_on_frames(const StageContext& context, const Frames& frames, const Ground& ground, Stamps& stamps) {
     const auto chosen = choose_pictures(frames.times, context.scene);
-    const std::array products{particles_product(context), gauges_product(context, ground),
-                              surface_product(context, ground), speed_product(context, chosen)};
+    // Icebergs first, for what follows shows which particle is in which.
+    const std::array products{icebergs_product(context, frames, ground),
+                              first_iceberg_product(context, frames),
+                              particles_product(context),
+                              gauges_product(context, ground),
+                              surface_product(context, ground),
+                              speed_product(context, chosen)};
     make_frame_products(context, frames, products, "frames", stamps);
     make_pictures(context, frames, chosen, ground, stamps);
     stamps.remove_unclaimed();
