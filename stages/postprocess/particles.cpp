@@ -11,7 +11,7 @@ FrameProduct particles_product(const StageContext& context) {
             .make =
                 [folder = context.folder](std::size_t frame, const io::Snapshot& snapshot,
                                           const Provenance& provenance) {
-                    io::write_particles(folder / io::particles_name(frame), snapshot, provenance);
+                    io::write_particles(folder / io::particles_name(frame), snapshot, {}, provenance);
                 },
             .follows = false};
 }
