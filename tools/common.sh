@@ -41,12 +41,13 @@ passing_signals_on() {
     return "$code"
 }
 
-missing_packages() {
+# The packages of tools/packages and of the other lists that are named, of those that tools has.
+missing_packages() { # LIST...
     local package
     while read -r package; do
         [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
             printf '%s\n' "$package"
-    done <"$project/tools/packages"
+    done < <(cd "$project/tools" && cat packages "$@")
 }
 
 can_be_root() {
@@ -65,9 +66,9 @@ as_root() {
 
 apt_get() { quietly as_root env DEBIAN_FRONTEND=noninteractive apt-get --yes "$@"; }
 
-install_packages() {
+install_packages() { # LIST...
     local missing
-    mapfile -t missing < <(missing_packages)
+    mapfile -t missing < <(missing_packages "$@")
     if ((${#missing[@]} == 0)); then
         say "all packages are installed"
         return

@@ -17,7 +17,7 @@ FROM ?=
 
 geometry := $(RUN)/geometry/geometry.vdb
 simulate := $(RUN)/simulate/ledger.csv
-postprocess := $(RUN)/postprocess/waves.csv
+postprocess := $(RUN)/postprocess/report.html
 
 program = $(BIN)/tidewater-$(1)
 part = $(RUN)/parts/$(1).toml

@@ -206,6 +206,7 @@ struct Scene {
             0.05;  // a wave has arrived at this share of the gauge's greatest amplitude
         double iceberg_damage =
             0.5;  // effect "fracture": ice that lost this share of its strength has failed
+        std::vector<std::string> references;  // "quantity least greatest source"
         double iceberg_share = 0.05;  // likewise: an iceberg's least volume, over the ice's height² × width
     } postprocess;
 

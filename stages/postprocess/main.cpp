@@ -16,6 +16,8 @@
 #include "particles.h"
 #include "pictures.h"
 #include "profiles.h"
+#include "quantities.h"
+#include "report.h"
 #include "stamps.h"
 #include "tsunami.h"
 
@@ -67,9 +69,10 @@ void work_on_frames(const StageContext& context, const Frames& frames, const Gro
     stamps.remove_unclaimed();
 }
 
-// waves.csv comes last: where it exists, everything else does.
+// report.html comes last: where it exists, everything else does.
 void work(StageContext& context) {
     check_picture_window(context.scene);
+    parse_references(context.scene.postprocess.references);  // tells what is wrong before anything is removed
     const auto simulated = context.run / "simulate";
     const Frames frames = find_frames(simulated);
     require_same_scene(simulated, context.scene);
@@ -100,6 +103,7 @@ void work(StageContext& context) {
     write_text(context.folder / "celerity.svg", celerity_chart(waves, context));
     write_waves(context.folder / "waves.csv", waves, context.provenance);
     std::fputs(describe(waves).c_str(), stdout);
+    write_run_report(context, frames);
 }
 
 }  // namespace

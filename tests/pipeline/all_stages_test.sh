@@ -33,10 +33,9 @@ on_full_disk() {
 # expect_whole FOLDER LIKE: each file that FOLDER has is the same as in LIKE, where all went well.
 expect_whole() {
     local file
-    for file in "$1"/*; do
-        [[ ${file##*/} != log && -e $file ]] || continue
-        cmp --silent "$file" "$2/${file##*/}" || fail_case "$file is not whole"
-    done
+    while read -r file; do
+        cmp --silent "$1/$file" "$2/$file" || fail_case "$1/$file is not whole"
+    done < <(cd "$1" && find . -type f ! -name log ! -name .stamps)
 }
 
 case_named "a scene with water and a block goes through all stages"
@@ -113,6 +112,20 @@ truncate --size=-1000 truncated/simulate/frame_0001.hdf
 stage postprocess tiny.toml truncated
 expect_code 3
 expect_line "tidewater-postprocess: truncated/simulate/frame_0001.hdf: "
+
+case_named "references that the report cannot read are told, and the earlier results stay"
+for reference in "celerity 1 2" "speed 1 2 us" "celerity 2 1 us" "celerity a 2 us" "celerity@4 1 2 us" "run_up@4 1 2 us"; do
+    run "$bin/tidewater-postprocess" tiny.toml --run whole --set "postprocess.references=[\"$reference\"]"
+    case $reference in
+        celerity@4*) expect_code 0 ;; # the celerity from that gauge to the next
+        *)
+            expect_code 2
+            expect_line "postprocess.references: \"$reference\": "
+            ;;
+    esac
+    expect_file whole/postprocess/report.html
+done
+stage postprocess tiny.toml whole
 
 case_named "a run that leaves what can be computed ends with 4 and no result that looks whole"
 cp -r whole broken

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <array>
+
+#include "core/files.h"
+#include "io/cell_table.h"
+#include "report_parts.h"
+
+namespace tidewater::postprocess {
+namespace {
+
+constexpr std::size_t most_rows = 100;  // of a table in the report; its file holds all
+
+struct Contents {
+    const char* file;
+    const char* title;
+    const char* caption;
+};
+
+constexpr std::array charts{
+    Contents{"space_time.svg", "Water surface over place and time",
+             "A wave's speed is the slope of its stripe."},
+    Contents{"gauges.svg", "Gauges", "Surface above the still level; arrivals and leading crests as found."},
+    Contents{"celerity.svg", "Celerity", "Where the crest was when, against a long wave's √(gD)."},
+    Contents{"first_wave.svg", "First wave",
+             "The paper's Fig. 2b: amplitude and place of the leading crest."},
+    Contents{"decay.svg", "Decay with distance", "Crests over distance, with the fit and its interval."},
+    Contents{"spectra.svg", "Spectra", "Variance density of the gauges' records."},
+    Contents{"calving.svg", "Calving", "Calved volume, rate and front position over time."},
+    Contents{"sizes.svg", "Iceberg sizes", "How many icebergs are at least so large, with fitted laws."},
+    Contents{"energy.svg", "Energy ledger", "Changes since the start; the total may only fall."},
+    Contents{"energy_split.svg", "Energy of block and water", "Where the block's energy went."},
+    Contents{"bodies.svg", "Blocks", "Height, angle and fastest speed."},
+};
+
+constexpr std::array tables{
+    Contents{"iceberg_summary.csv", "Icebergs", "One row per iceberg; click a heading to sort."},
+    Contents{"iceberg_events.csv", "Splits and merges", "What became of the icebergs."},
+    Contents{"waves.csv", "Waves at the gauges", "One row per gauge; the last is fitted over all."},
+    Contents{"waves_3d.csv", "The wave in 3D", "Eqs. 11 to 13 of the paper, with their ±50 % band."},
+    Contents{"tsunami.csv", "The wave's source", "Slide parameters, first wave and energies."},
+    Contents{"size_fits.csv", "Fits of iceberg sizes", "Maximum likelihood, 95 % intervals."},
+};
+
+io::ReportTable shown(const Contents& contents, io::CellTable table) {
+    std::string caption = contents.caption;
+    if (table.rows.size() > most_rows) {
+        caption +=
+            " The first " + std::to_string(most_rows) + " of " + std::to_string(table.rows.size()) + ".";
+        table.rows.resize(most_rows);
+    }
+    for (auto& row : table.rows) {
+        for (std::string& cell : row) {
+            const double number = table.number(static_cast<std::size_t>(&row - table.rows.data()),
+                                               table.columns[static_cast<std::size_t>(&cell - row.data())]);
+            if (number == number) cell = short_number(number);
+            if (cell == "nan") cell = "-";
+        }
+    }
+    caption += " All digits: " + std::string(contents.file);
+    if (table.rows.size() != 1) return {contents.title, caption, table.columns, table.rows};
+    io::ReportTable turned{
+        contents.title, caption, {"what", "value"}};  // one wide row reads better down the page
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+        turned.rows.push_back({table.columns[c], table.rows[0][c]});
+    return turned;
+}
+
+}  // namespace
+
+std::vector<io::ReportFigure> report_figures(const StageContext& context) {
+    std::vector<io::ReportFigure> figures;
+    for (const Contents& chart : charts) {
+        const auto path = context.folder / chart.file;
+        if (std::filesystem::exists(path)) figures.push_back({chart.title, chart.caption, read_text(path)});
+    }
+    return figures;
+}
+
+std::vector<io::ReportTable> report_tables(const StageContext& context) {
+    std::vector<io::ReportTable> found;
+    for (const Contents& contents : tables) {
+        const auto path = context.folder / contents.file;
+        if (std::filesystem::exists(path)) found.push_back(shown(contents, io::read_cells(path)));
+    }
+    return found;
+}
+
+}  // namespace tidewater::postprocess
