@@ -34,7 +34,7 @@ void require_same_scene(const std::filesystem::path& simulated, const scene::Sce
 
 void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
-        R"((particles\.pvd|(frames|report)\.html|)"
+        R"(((particles|water_surface|iceberg_surfaces)\.pvd|view\.py|(frames|report)\.html|)"
         R"((gauges|celerity|energy|bodies|energy_split|first_wave)\.svg|)"
         R"((gauges|waves|icebergs|fragments|first_wave|waves_3d|tsunami|energy_split)\.csv)(\.part)?)");
     std::error_code error;

@@ -13,7 +13,7 @@
 #include "gauges.h"
 #include "icebergs.h"
 #include "io/table.h"
-#include "particles.h"
+#include "paraview.h"
 #include "pictures.h"
 #include "profiles.h"
 #include "quantities.h"
@@ -62,9 +62,17 @@ void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodie
 // What is made of single frames, and only of those that need it.
 void work_on_frames(const StageContext& context, const Frames& frames, const Ground& ground, Stamps& stamps) {
     const auto chosen = choose_pictures(frames.times, context.scene);
-    const std::array products{particles_product(context), gauges_product(context, ground),
-                              profile_product(context, ground), speed_product(context, chosen)};
+    const FrameProduct none{.name = "",
+                            .settings = "",
+                            .files = [](std::size_t) { return std::vector<std::string>{}; },
+                            .make = {},
+                            .follows = false};
+    const ParaviewProducts paraview = paraview_products(context, none, none);
+    const std::array products{gauges_product(context, ground), profile_product(context, ground),
+                              speed_product(context, chosen),  paraview.particles,
+                              paraview.water_surface,          paraview.iceberg_surfaces};
     make_frame_products(context, frames, products, "frames", stamps);
+    write_collections(context, frames, paraview);
     make_pictures(context, frames, chosen, ground, stamps);
     stamps.remove_unclaimed();
 }
@@ -89,7 +97,6 @@ void work(StageContext& context) {
     Stamps stamps(context.folder);
     write_resolved_scene(context);
     work_on_frames(context, frames, ground, stamps);
-    write_particles_collection(context, frames);
     const std::vector<GaugeRecord> read = gather_gauges(context, frames);
     if (!read.empty()) write_gauges(context.folder / "gauges.csv", read, context.provenance);
     records.insert(records.end(), read.begin(), read.end());

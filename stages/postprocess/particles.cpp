@@ -87,14 +87,4 @@ FrameProduct particles_product(const StageContext& context, const FrameProduct& 
             .follows = !icebergs.files(0).empty()};
 }
 
-void write_product_collection(const StageContext& context, const Frames& frames, const std::string& stem,
-                              const FrameProduct& product) {
-    std::vector<io::CollectionEntry> entries;
-    for (std::size_t frame = 0; frame < frames.times.size(); ++frame) {
-        for (const std::string& name : product.files(frame)) entries.push_back({name, frames.times[frame]});
-    }
-    if (entries.empty()) return;
-    io::write_collection(context.folder / (stem + ".pvd"), entries, context.provenance);
-}
-
 }  // namespace tidewater::postprocess

@@ -1,10 +1,9 @@
-// The particles of every frame for ParaView: particles_NNNN.vtp and particles.pvd, with what follows from the
+// The particles of every frame for ParaView: particles_NNNN.vtp, with what follows from the
 // snapshots and from the icebergs found in them. Test: tests/pipeline/paraview_test.sh
 #pragma once
 
 #include "common/stage.h"
 #include "frame_pass.h"
-#include "frames.h"
 
 namespace tidewater::postprocess {
 
@@ -16,9 +15,5 @@ FrameProduct particles_product(const StageContext& context, const FrameProduct& 
 // frames/members_NNNN.h5.
 std::vector<std::int32_t> icebergs_of(const std::filesystem::path& folder, std::size_t frame,
                                       const io::Snapshot& snapshot);
-
-// `stem`.pvd, of the product's files; none if it made none.
-void write_product_collection(const StageContext& context, const Frames& frames, const std::string& stem,
-                              const FrameProduct& product);
 
 }  // namespace tidewater::postprocess

@@ -11,6 +11,7 @@ import argparse
 import os
 import sys
 
+import paraview.simple
 from paraview.simple import *
 
 ICE_COLORS = ["damage", "iceberg", "principal_stress"]
@@ -63,6 +64,15 @@ def greatest_over_time(reader, name, frames=8):
     return greatest
 
 
+def single_points(particles):
+    """With a cell for each point, for a threshold takes whole cells, and the files have one over all points."""
+    points = MaskPoints(registrationName="points", Input=particles)
+    points.OnRatio = 1
+    points.MaximumNumberofPoints = 2**31 - 1
+    points.GenerateVertices = points.SingleVertexPerCell = 1
+    return points
+
+
 def material(particles, number, name):
     part = Threshold(registrationName=name, Input=particles)
     part.Scalars = ["POINTS", "material"]
@@ -87,6 +97,7 @@ def color_by(display, where, name, view, low, high, title, points=None, preset="
     scale.WindowLocation = "Any Location"
     scale.Position = [0.56 if bar else 0.08, 0.06]
     scale.ScalarBarLength = 0.36
+    scale.RangeLabelFormat = "%.3g"
     scale.TitleColor = scale.LabelColor = [0, 0, 0]
     display.SetScalarBarVisibility(view, True)
 
@@ -135,7 +146,8 @@ def show_particles(particles, options, view, flat, surfaces, fastest, highest):
     """In 3D only ice that belongs to no iceberg, where surfaces show the rest."""
     volume = point_range(particles, "volume")
     radius = 0.6 * volume[1] ** (1.0 / (2 if flat else 3))
-    water, ice, rigid = (material(particles, number, name)
+    points = single_points(particles)
+    water, ice, rigid = (material(points, number, name)
                          for number, name in ((WATER, "water"), (ICE, "ice"), (RIGID, "block")))
     if water and (flat or not surfaces):
         color_water(show_points(water, radius, view), "POINTS", options, view, fastest, highest)
@@ -183,6 +195,8 @@ def bounds_of(sources):
 def place_camera(view, low, high, flat, size):
     center = [0.5 * (a + b) for a, b in zip(low, high)]
     extent = [b - a for a, b in zip(low, high)]
+    if flat:
+        center[2] -= 0.2 * extent[2]  # room for the scales
     reach = max(extent)
     view.CameraFocalPoint, view.CameraViewUp = center, [0, 0, 1]
     if flat:
@@ -208,6 +222,7 @@ def main():
     sources = [source for source in (particles, water, bodies) if source]
     if not sources:
         sys.exit(own_folder() + ": there is no particles.pvd nor water_surface.pvd; run tidewater-postprocess here")
+    paraview.simple._DisableFirstRenderCameraReset()  # the camera is placed below
     view = GetActiveViewOrCreate("RenderView")
     view.ViewSize = options.size
     view.UseColorPaletteForBackground = 0
