@@ -200,6 +200,8 @@ struct Scene {
         int picture_width = 1600;            // pixels
         double picture_speed = 0.0;          // m/s, the colour scale's upper end; 0: the run's own
         std::vector<double> picture_window;  // m: x0, z0, x1, z1 of the part to draw; empty: all
+        int decimation = 1;                  // of the particles for ParaView one in so many is kept; 0: none
+        bool surfaces = true;                // of water and bodies, for ParaView
         double arrival_threshold =
             0.05;  // a wave has arrived at this share of the gauge's greatest amplitude
         double iceberg_damage =

@@ -35,7 +35,7 @@ void require_same_scene(const std::filesystem::path& simulated, const scene::Sce
 void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
         // Of each product its stem and the forms that it is written in.
-        R"((particles\.pvd|(frames|report)\.html|frames\.mp4|)"
+        R"(((particles|water_surface|iceberg_surfaces)\.pvd|view\.py|(frames|report)\.html|frames\.mp4|)"
         R"((gauges|gauges_snapshots|space_time)\.nc|)"
         R"((gauges|celerity|energy|bodies|energy_split|first_wave|spectra|decay|space_time|run_up|sizes|calving)\.)"
         R"((svg|png)|)"

@@ -16,7 +16,7 @@
 #include "iceberg_sizes.h"
 #include "iceberg_tables.h"
 #include "io/table.h"
-#include "particles.h"
+#include "paraview.h"
 #include "pictures.h"
 #include "quantities.h"
 #include "report.h"
@@ -94,14 +94,20 @@ void work_on_waves(const StageContext& context, const Waves& waves, const Surfac
 // What is made of single frames, and only of those that need it.
 void work_on_frames(const StageContext& context, const Frames& frames, const Ground& ground, Stamps& stamps) {
     const auto chosen = choose_pictures(frames.times, context.scene);
-    // Icebergs first, for what follows shows which particle is in which.
-    const std::array products{icebergs_product(context, frames, ground),
+    // Icebergs and the surface first, for ParaView's files show them.
+    const FrameProduct icebergs = icebergs_product(context, frames, ground);
+    const FrameProduct surface = surface_product(context, ground);
+    const ParaviewProducts paraview = paraview_products(context, icebergs, surface);
+    const std::array products{icebergs,
                               first_iceberg_product(context, frames),
-                              particles_product(context),
                               gauges_product(context, ground),
-                              surface_product(context, ground),
-                              speed_product(context, chosen)};
+                              surface,
+                              speed_product(context, chosen),
+                              paraview.particles,
+                              paraview.water_surface,
+                              paraview.iceberg_surfaces};
     make_frame_products(context, frames, products, "frames", stamps);
+    write_collections(context, frames, paraview);
     make_pictures(context, frames, chosen, ground, stamps);
     stamps.remove_unclaimed();
 }
@@ -126,7 +132,6 @@ void work(StageContext& context) {
     Stamps stamps(context.folder);
     write_resolved_scene(context);
     work_on_frames(context, frames, ground, stamps);
-    write_particles_collection(context, frames);
     const std::vector<GaugeRecord> read = gather_gauges(context, frames);
     if (!read.empty()) write_gauges(context.folder / "gauges.csv", read, context.provenance);
     records.insert(records.end(), read.begin(), read.end());
