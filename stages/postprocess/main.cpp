@@ -15,6 +15,8 @@
 #include "iceberg_frames.h"
 #include "iceberg_sizes.h"
 #include "iceberg_tables.h"
+#include "import.h"
+#include "inputs.h"
 #include "io/table.h"
 #include "paraview.h"
 #include "pictures.h"
@@ -46,26 +48,14 @@ void work_on_icebergs(const StageContext& context, const Frames& frames) {
     std::fputs((describe(tables, dimension) + describe(sizes)).c_str(), stdout);
 }
 
-// None where no block makes a wave, or, with a line that says so, if simulate was run before it wrote bodies.
-std::vector<Body> read_run_bodies(const StageContext& context) {
-    const auto path = context.run / "simulate" / "bodies.csv";
-    if (!makes_first_wave(context.scene)) return {};
-    if (std::filesystem::exists(path)) {
-        std::vector<Body> bodies = read_bodies(path);
-        slide_of(heaviest(bodies),
-                 context.scene);  // so that what is wrong is told before anything is removed
-        return bodies;
-    }
-    std::puts("no bodies.csv, and so nothing of the block's wave; run tidewater-simulate again");
-    return {};
-}
-
 void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodies, const Tsunami& tsunami) {
     const auto& folder = context.folder;
     write_chart(context, "bodies", body_chart(bodies, context));
-    write_chart(context, "energy_split", energy_split_chart(tsunami.energy, context));
     write_chart(context, "first_wave", first_wave_chart(tsunami, context));
-    write_energy_split(folder / "energy_split.csv", tsunami.energy, context.provenance);
+    if (!tsunami.energy.time.empty()) {
+        write_chart(context, "energy_split", energy_split_chart(tsunami.energy, context));
+        write_energy_split(folder / "energy_split.csv", tsunami.energy, context.provenance);
+    }
     write_first_wave(folder / "first_wave.csv", tsunami, context.provenance);
     write_waves_3d(folder / "waves_3d.csv", tsunami, context.provenance);
     write_tsunami(folder / "tsunami.csv", tsunami, context.provenance);
@@ -112,36 +102,43 @@ void work_on_frames(const StageContext& context, const Frames& frames, const Gro
     stamps.remove_unclaimed();
 }
 
+// Of simulate, or of another program.
+Frames frames_of(const StageContext& context) {
+    if (!context.particles.files.empty()) return import_frames(context);
+    const auto simulated = context.run / "simulate";
+    Frames frames = find_frames(simulated);
+    require_same_scene(simulated, context.scene);
+    return frames;
+}
+
 // report.html comes last: where it exists, everything else does.
 void work(StageContext& context) {
     check_picture_window(context.scene);
     parse_references(context.scene.postprocess.references);  // tells what is wrong before anything is removed
-    const auto simulated = context.run / "simulate";
-    const Frames frames = find_frames(simulated);
-    require_same_scene(simulated, context.scene);
-    std::vector<GaugeRecord> records = read_run_gauges(simulated / "gauges.csv");
-    const io::Table ledger = io::read_table(simulated / "ledger.csv");
-    const std::string energy = energy_chart(ledger, simulated / "ledger.csv", context);
-    const std::vector<Body> bodies = read_run_bodies(context);
-    const EnergySplit split =
-        bodies.empty() ? EnergySplit{} : split_energy(ledger, simulated / "ledger.csv", bodies);
-    const Ground ground = read_ground(context.scene, geometry_file(context));
+    const Frames frames = frames_of(context);
+    const Inputs inputs = read_inputs(context);
+    const auto& bodies = inputs.bodies;
+    const std::string energy = inputs.ledger ? energy_chart(*inputs.ledger, inputs.ledger_file, context) : "";
+    const EnergySplit split = inputs.ledger && !bodies.empty()
+                                  ? split_energy(*inputs.ledger, inputs.ledger_file, bodies)
+                                  : EnergySplit{};
 
     remove_earlier_results(context.folder);
     make_output_folder(context.folder / "frames");
     Stamps stamps(context.folder);
     write_resolved_scene(context);
-    work_on_frames(context, frames, ground, stamps);
+    work_on_frames(context, frames, inputs.ground, stamps);
     const std::vector<GaugeRecord> read = gather_gauges(context, frames);
     if (!read.empty()) write_gauges(context.folder / "gauges.csv", read, context.provenance);
+    std::vector<GaugeRecord> records = inputs.gauges;
     records.insert(records.end(), read.begin(), read.end());
     work_on_icebergs(context, frames);
     const Surfaces surfaces = gather_surfaces(context, frames);
     if (!bodies.empty())
         work_on_tsunami(context, bodies, find_tsunami(bodies, surfaces.profiles, split, context.scene));
-    const Waves waves = analyse(std::move(records), context.scene, ground);
+    const Waves waves = analyse(std::move(records), context.scene, inputs.ground);
     work_on_waves(context, waves, surfaces);
-    write_chart(context, "energy", energy);
+    if (!energy.empty()) write_chart(context, "energy", energy);
     write_chart(context, "gauges", gauge_chart(waves, context));
     write_chart(context, "celerity", celerity_chart(waves, context));
     write_waves(context.folder / "waves.csv", waves, context.provenance);
