@@ -36,7 +36,7 @@ void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
         R"((particles\.pvd|(frames|report)\.html|)"
         R"((gauges|celerity|energy|bodies|energy_split|first_wave)\.svg|)"
-        R"((gauges|waves|icebergs|fragments|first_wave|waves_3d|tsunami|energy_split)\.csv)(\.part)?)");
+        R"((gauges|waves|icebergs|fragments|first_wave|long_waves|waves_3d|tsunami|energy_split)\.csv)(\.part)?)");
     std::error_code error;
     std::vector<std::filesystem::path> found{folder / "report.html"};
     std::filesystem::directory_iterator entry(folder, error);

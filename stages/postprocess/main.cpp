@@ -13,6 +13,7 @@
 #include "gauges.h"
 #include "icebergs.h"
 #include "io/table.h"
+#include "long_waves.h"
 #include "particles.h"
 #include "pictures.h"
 #include "profiles.h"
@@ -47,7 +48,17 @@ std::vector<Body> read_run_bodies(const StageContext& context) {
     return {};
 }
 
-void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodies, const Tsunami& tsunami) {
+void work_on_long_waves(const StageContext& context, const Tsunami& tsunami,
+                        const std::vector<GaugeRecord>& records) {
+    const auto waves =
+        fit_long_waves(records, tsunami.ways, context.scene.water.depth, context.scene.domain.gravity);
+    write_long_waves(context.folder / "long_waves.csv", waves, tsunami.long_wave_celerity,
+                     context.provenance);
+    std::fputs(describe(waves, tsunami.long_wave_celerity).c_str(), stdout);
+}
+
+void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodies, const Tsunami& tsunami,
+                     const std::vector<GaugeRecord>& records) {
     const auto& folder = context.folder;
     write_text(folder / "bodies.svg", body_chart(bodies, context));
     write_text(folder / "energy_split.svg", energy_split_chart(tsunami.energy, context));
@@ -57,6 +68,7 @@ void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodie
     write_waves_3d(folder / "waves_3d.csv", tsunami, context.provenance);
     write_tsunami(folder / "tsunami.csv", tsunami, context.provenance);
     std::fputs(describe(tsunami).c_str(), stdout);
+    work_on_long_waves(context, tsunami, records);
 }
 
 // What is made of single frames, and only of those that need it.
@@ -96,7 +108,8 @@ void work(StageContext& context) {
     work_on_icebergs(context, frames);
     if (!bodies.empty())
         work_on_tsunami(context, bodies,
-                        find_tsunami(bodies, gather_profiles(context, frames), split, context.scene));
+                        find_tsunami(bodies, gather_profiles(context, frames), split, context.scene),
+                        records);
     const Waves waves = analyse(std::move(records), context.scene);
     write_text(context.folder / "energy.svg", energy);
     write_text(context.folder / "gauges.svg", gauge_chart(waves, context));

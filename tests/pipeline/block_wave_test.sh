@@ -23,7 +23,7 @@ expect_near() {
         fail_case "$1 is $2, not $3"
 }
 
-files="bodies.svg energy_split.csv energy_split.svg first_wave.csv first_wave.svg tsunami.csv waves_3d.csv"
+files="bodies.svg energy_split.csv energy_split.svg first_wave.csv first_wave.svg long_waves.csv tsunami.csv waves_3d.csv"
 
 case_named "the first wave has the speed, height and place that it was made with"
 "$write_block_wave" block_wave.toml fall || fail_case "no run was written"
