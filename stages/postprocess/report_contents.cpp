@@ -36,6 +36,7 @@ constexpr std::array tables{
     Contents{"iceberg_summary.csv", "Icebergs", "One row per iceberg; click a heading to sort."},
     Contents{"iceberg_events.csv", "Splits and merges", "What became of the icebergs."},
     Contents{"waves.csv", "Waves at the gauges", "One row per gauge; the last is fitted over all."},
+    Contents{"long_waves.csv", "Speed of long waves", "From gauge to gauge, by linear dispersion."},
     Contents{"waves_3d.csv", "The wave in 3D", "Eqs. 11 to 13 of the paper, with their ±50 % band."},
     Contents{"tsunami.csv", "The wave's source", "Slide parameters, first wave and energies."},
     Contents{"size_fits.csv", "Fits of iceberg sizes", "Maximum likelihood, 95 % intervals."},
