@@ -18,6 +18,7 @@
 #include "import.h"
 #include "inputs.h"
 #include "io/table.h"
+#include "long_waves.h"
 #include "paraview.h"
 #include "pictures.h"
 #include "quantities.h"
@@ -48,7 +49,17 @@ void work_on_icebergs(const StageContext& context, const Frames& frames) {
     std::fputs((describe(tables, dimension) + describe(sizes)).c_str(), stdout);
 }
 
-void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodies, const Tsunami& tsunami) {
+void work_on_long_waves(const StageContext& context, const Tsunami& tsunami,
+                        const std::vector<GaugeRecord>& records) {
+    const auto waves =
+        fit_long_waves(records, tsunami.ways, context.scene.water.depth, context.scene.domain.gravity);
+    write_long_waves(context.folder / "long_waves.csv", waves, tsunami.long_wave_celerity,
+                     context.provenance);
+    std::fputs(describe(waves, tsunami.long_wave_celerity).c_str(), stdout);
+}
+
+void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodies, const Tsunami& tsunami,
+                     const std::vector<GaugeRecord>& records) {
     const auto& folder = context.folder;
     write_chart(context, "bodies", body_chart(bodies, context));
     write_chart(context, "first_wave", first_wave_chart(tsunami, context));
@@ -60,6 +71,7 @@ void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodie
     write_waves_3d(folder / "waves_3d.csv", tsunami, context.provenance);
     write_tsunami(folder / "tsunami.csv", tsunami, context.provenance);
     std::fputs(describe(tsunami).c_str(), stdout);
+    work_on_long_waves(context, tsunami, records);
 }
 
 void work_on_waves(const StageContext& context, const Waves& waves, const Surfaces& surfaces) {
@@ -135,7 +147,7 @@ void work(StageContext& context) {
     work_on_icebergs(context, frames);
     const Surfaces surfaces = gather_surfaces(context, frames);
     if (!bodies.empty())
-        work_on_tsunami(context, bodies, find_tsunami(bodies, surfaces.profiles, split, context.scene));
+        work_on_tsunami(context, bodies, find_tsunami(bodies, surfaces.profiles, split, context.scene), records);
     const Waves waves = analyse(std::move(records), context.scene, inputs.ground);
     work_on_waves(context, waves, surfaces);
     if (!energy.empty()) write_chart(context, "energy", energy);
