@@ -35,8 +35,9 @@ void require_same_scene(const std::filesystem::path& simulated, const scene::Sce
 void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
         R"((particles\.pvd|(frames|report)\.html|)"
-        R"((gauges|celerity|energy|bodies|energy_split|first_wave|sizes|calving)\.svg|)"
-        R"((gauges|waves|first_wave|waves_3d|tsunami|energy_split|fragments|)"
+        R"((gauges|celerity|energy|bodies|energy_split|first_wave|spectra|decay|space_time|run_up|sizes|calving)\.svg|)"
+        R"((gauges|gauges_snapshots|space_time)\.nc|)"
+        R"((gauges|waves|first_wave|waves_3d|tsunami|energy_split|spectra|decay|decay_fit|run_up|fragments|)"
         R"(icebergs|iceberg_summary|iceberg_events|calving|sizes|size_histogram|size_fits)\.csv)(\.part)?)");
     std::error_code error;
     std::vector<std::filesystem::path> found{folder / "report.html"};
