@@ -46,7 +46,6 @@ constexpr std::array catalogue{
     Source{"failed_width", "failed width of the main event", "m", "main_event.csv", "failed_width"},
     Source{"failure_angle", "angle of the failure plane", "°", "main_event.csv", "plane_angle"},
     Source{"calved_volume", "calved volume", volume_unit, "calving.csv", "calved_total", Row::last},
-    Source{"size_exponent", "exponent of the icebergs' size distribution", "", "size_fits.csv", "exponent"},
 };
 
 bool is_there(const std::filesystem::path& path) {

@@ -21,8 +21,8 @@ struct Records {
     std::vector<std::vector<double>> of_gauge;
 };
 
-// A surface height · exp(−x²/2w²) in an endless tank is let go at t = 0, or, gradual, rises as 1 − cos over 2
-// s before: Fourier's integral with ω² = (c²/D) k tanh(kD), and noise at every sample.
+// A surface height · exp(−x²/2w²) in an endless tank is let go at t = 0: Fourier's integral with
+// ω² = (c²/D) k tanh(kD), and noise at every sample.
 Records observe(double height, double width, double c, double noise, double end = 5.0) {
     constexpr double unit = 0.02;
     Records records;
