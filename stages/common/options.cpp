@@ -81,6 +81,11 @@ void declare_restart(CLI::App& app, StageOptions& options) {
         ->type_name("TIME");
 }
 
+void declare_movie(CLI::App& app, StageOptions& options) {
+    app.add_flag("--movie", options.movie,
+                 "make frames.mp4 of the pictures too, with ffmpeg where it is there");
+}
+
 }  // namespace
 
 std::optional<StageOptions> parse_options(int argc, const char* const* argv, scene::Stage stage,
@@ -91,7 +96,10 @@ std::optional<StageOptions> parse_options(int argc, const char* const* argv, sce
     std::vector<std::string> map, materials;
     declare(app, options, part);
     if (stage == scene::Stage::simulate) declare_restart(app, options);
-    if (stage == scene::Stage::postprocess) declare_particles(app, options.particles, map, materials);
+    if (stage == scene::Stage::postprocess) {
+        declare_movie(app, options);
+        declare_particles(app, options.particles, map, materials);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answered) {

@@ -36,6 +36,8 @@ struct StageOptions {
     // Of simulate alone.
     std::string from;  // "start", or the checkpoint to go on from; empty: the run's own if there is one
     double until = std::numeric_limits<double>::infinity();  // s, simulated
+
+    bool movie = false;  // of postprocess alone
 };
 
 // Empty after --help, --help-scene and --version, which are answered on standard output.

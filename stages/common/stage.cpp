@@ -70,7 +70,8 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                                         .seed = scene.seed},
                          .particles = options.particles,
                          .from = options.from,
-                         .until = options.until};
+                         .until = options.until,
+                         .movie = options.movie};
     say(program, "writing " + context.folder.string());
     make_output_folder(context.folder);
     const FolderLock lock(context.folder);

@@ -10,6 +10,7 @@
 //     tidewater-<stage> --help | --help-scene | --version
 //     tidewater-postprocess SCENE [--particles FILE... [--map COLUMN=ARRAY,...]]
 //     tidewater-simulate SCENE [--from start|CHECKPOINT] [--until TIME]
+//     tidewater-postprocess SCENE [--movie]
 //
 // A line on standard error for each problem, "tidewater-<stage>: <what, where, and what to do>", and the exit
 // code of core/error.h; 128 + the signal for a simulate that was stopped by one. Command-line misuse counts
@@ -36,6 +37,7 @@ struct StageContext {
 
     std::string from;    // simulate's options; see StageOptions
     double until = 0.0;  // s
+    bool movie = false;  // postprocess' option
 };
 
 // The level sets that the geometry stage left for the others.

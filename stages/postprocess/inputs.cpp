@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "profiles.h"
+#include "surface.h"
 
 namespace tidewater::postprocess {
 namespace {
