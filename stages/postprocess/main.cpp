@@ -15,11 +15,14 @@
 #include "io/table.h"
 #include "paraview.h"
 #include "pictures.h"
-#include "profiles.h"
 #include "quantities.h"
 #include "report.h"
+#include "run_up.h"
 #include "stamps.h"
+#include "surface.h"
 #include "tsunami.h"
+#include "wave_charts.h"
+#include "wave_decay.h"
 
 namespace tidewater::postprocess {
 namespace {
@@ -59,16 +62,37 @@ void work_on_tsunami(const StageContext& context, const std::vector<Body>& bodie
     std::fputs(describe(tsunami).c_str(), stdout);
 }
 
+void work_on_waves(const StageContext& context, const Waves& waves, const Surfaces& surfaces) {
+    const auto& folder = context.folder;
+    const WavePath path = main_wave_path(context.scene, surfaces.front);
+    write_gauges_nc(folder, waves.records, context.scene, context.provenance);
+    write_spectra(folder / "spectra.csv", waves, context.scene, context.provenance);
+    write_text(folder / "spectra.svg", spectra_chart(waves, context));
+    const WaveDecay decay = find_decay(waves, path, context.scene);
+    write_decay(folder, decay, context.provenance);
+    write_text(folder / "decay.svg", decay_chart(decay, context));
+    std::fputs((describe(waves) + describe(decay)).c_str(), stdout);
+    if (surfaces.far_end.empty()) return;
+    write_text(folder / "space_time.svg", space_time_chart(surfaces, waves, path, context));
+    io::write_space_time_nc(folder / "space_time.nc", space_time_record(surfaces, context),
+                            context.provenance);
+    write_run_up(folder / "run_up.csv", surfaces, context.provenance);
+    write_text(folder / "run_up.svg", run_up_chart(surfaces, context));
+    std::fputs(describe_run_up(surfaces, context.scene).c_str(), stdout);
+}
+
 // What is made of single frames, and only of those that need it.
 void work_on_frames(const StageContext& context, const Frames& frames, const Ground& ground, Stamps& stamps) {
     const auto chosen = choose_pictures(frames.times, context.scene);
+    // Until icebergs are followed from frame to frame, there are none to show.
     const FrameProduct none{.name = "",
                             .settings = "",
                             .files = [](std::size_t) { return std::vector<std::string>{}; },
                             .make = {},
                             .follows = false};
-    const ParaviewProducts paraview = paraview_products(context, none, none);
-    const std::array products{gauges_product(context, ground), profile_product(context, ground),
+    const FrameProduct surface = surface_product(context, ground);
+    const ParaviewProducts paraview = paraview_products(context, none, surface);
+    const std::array products{gauges_product(context, ground), surface,
                               speed_product(context, chosen),  paraview.particles,
                               paraview.water_surface,          paraview.iceberg_surfaces};
     make_frame_products(context, frames, products, "frames", stamps);
@@ -101,15 +125,15 @@ void work(StageContext& context) {
     if (!read.empty()) write_gauges(context.folder / "gauges.csv", read, context.provenance);
     records.insert(records.end(), read.begin(), read.end());
     work_on_icebergs(context, frames);
+    const Surfaces surfaces = gather_surfaces(context, frames);
     if (!bodies.empty())
-        work_on_tsunami(context, bodies,
-                        find_tsunami(bodies, gather_profiles(context, frames), split, context.scene));
-    const Waves waves = analyse(std::move(records), context.scene);
+        work_on_tsunami(context, bodies, find_tsunami(bodies, surfaces.profiles, split, context.scene));
+    const Waves waves = analyse(std::move(records), context.scene, ground);
+    work_on_waves(context, waves, surfaces);
     write_text(context.folder / "energy.svg", energy);
     write_text(context.folder / "gauges.svg", gauge_chart(waves, context));
     write_text(context.folder / "celerity.svg", celerity_chart(waves, context));
     write_waves(context.folder / "waves.csv", waves, context.provenance);
-    std::fputs(describe(waves).c_str(), stdout);
     write_run_report(context, frames);
 }
 
