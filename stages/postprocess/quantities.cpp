@@ -43,10 +43,9 @@ constexpr std::array catalogue{
     Source{"iceberg_length_ratio", "first iceberg's length over its height, Li/Hi", "", "first_iceberg.csv",
            "length_ratio"},
     Source{"iceberg_volume", "first iceberg's volume", "m³ (2D: m²)", "first_iceberg.csv", "volume"},
-    Source{"failed_width", "failed width of the main event", "m", "first_iceberg.csv", "failed_width"},
-    Source{"failure_angle", "angle of the failure plane", "°", "first_iceberg.csv", "failure_angle"},
-    Source{"calved_volume", "calved volume", "m³ (2D: m²)", "calving.csv", "calved_volume", Row::last},
-    Source{"size_exponent", "exponent of the icebergs' size distribution", "", "size_fits.csv", "exponent"},
+    Source{"failed_width", "failed width of the main event", "m", "main_event.csv", "failed_width"},
+    Source{"failure_angle", "angle of the failure plane", "°", "main_event.csv", "plane_angle"},
+    Source{"calved_volume", "calved volume", "m³ (2D: m²)", "calving.csv", "calved_total", Row::last},
 };
 
 bool is_there(const std::filesystem::path& path) {

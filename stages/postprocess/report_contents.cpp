@@ -25,6 +25,7 @@ constexpr std::array charts{
              "The paper's Fig. 2b: amplitude and place of the leading crest."},
     Contents{"decay.svg", "Decay with distance", "Crests over distance, with the fit and its interval."},
     Contents{"spectra.svg", "Spectra", "Variance density of the gauges' records."},
+    Contents{"run_up.svg", "Run-up", "Height of the waterline on the far shore over time."},
     Contents{"calving.svg", "Calving", "Calved volume, rate and front position over time."},
     Contents{"sizes.svg", "Iceberg sizes", "How many icebergs are at least so large, with fitted laws."},
     Contents{"energy.svg", "Energy ledger", "Changes since the start; the total may only fall."},
@@ -34,8 +35,11 @@ constexpr std::array charts{
 
 constexpr std::array tables{
     Contents{"iceberg_summary.csv", "Icebergs", "One row per iceberg; click a heading to sort."},
+    Contents{"main_event.csv", "Main event", "The greatest loss between two frames; its failure plane."},
+    Contents{"first_iceberg.csv", "First iceberg", "When and where it came off."},
     Contents{"iceberg_events.csv", "Splits and merges", "What became of the icebergs."},
     Contents{"waves.csv", "Waves at the gauges", "One row per gauge; the last is fitted over all."},
+    Contents{"decay_fit.csv", "Decay with distance", "Crest = amplitude × (distance/depth)^−exponent."},
     Contents{"waves_3d.csv", "The wave in 3D", "Eqs. 11 to 13 of the paper, with their ±50 % band."},
     Contents{"tsunami.csv", "The wave's source", "Slide parameters, first wave and energies."},
     Contents{"size_fits.csv", "Fits of iceberg sizes", "Maximum likelihood, 95 % intervals."},

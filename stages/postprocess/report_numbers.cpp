@@ -4,6 +4,7 @@
 
 #include "analysis/beam.h"
 #include "analysis/wave.h"
+#include "io/cell_table.h"
 #include "io/text.h"
 #include "quantities.h"
 #include "report_parts.h"
@@ -16,6 +17,7 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 std::string range_text(double low, double high, const std::string& unit) {
+    if (low == high) return with_unit(low, unit);
     if (std::isinf(low)) return "at most " + with_unit(high, unit);
     if (std::isinf(high)) return "at least " + with_unit(low, unit);
     return short_number(low) + " to " + with_unit(high, unit);
@@ -60,6 +62,28 @@ void add_beam(const StageContext& context, std::vector<io::KeyNumber>& numbers) 
                                "Wolper et al. 2021, eq. 1: " + short_number(expected) + ", ±15 %"));
 }
 
+// Of each set of icebergs, whether the fitted exponent's interval meets what is published.
+void add_sizes(const StageContext& context, std::vector<io::KeyNumber>& numbers) {
+    const auto path = context.folder / "size_fits.csv";
+    if (!std::filesystem::exists(path)) return;
+    const io::CellTable fits = io::read_cells(path);
+    for (std::size_t r = 0; r < fits.rows.size(); ++r) {
+        const double exponent = fits.number(r, "exponent"), low = fits.number(r, "published_low"),
+                     high = fits.number(r, "published_high");
+        if (fits.word(r, "model") != "power_law" || std::isnan(exponent) || std::isnan(low)) continue;
+        const double least = fits.number(r, "exponent_low"), greatest = fits.number(r, "exponent_high");
+        io::KeyNumber number =
+            compared({"", "exponent of iceberg sizes, set " + fits.word(r, "set"), "", exponent}, low, high,
+                     "published");
+        if (!std::isnan(least) && !std::isnan(greatest)) {
+            number.value += " (" + short_number(least) + " to " + short_number(greatest) + ")";
+            number.verdict = least <= high && low <= greatest ? io::Verdict::within : io::Verdict::outside;
+            number.source = "published; within if the 95 % interval meets it";
+        }
+        numbers.push_back(number);
+    }
+}
+
 bool is_told(const std::vector<io::KeyNumber>& numbers, const Quantity& quantity) {
     for (const io::KeyNumber& number : numbers) {
         if (number.name == quantity.label) return true;
@@ -85,6 +109,7 @@ std::vector<io::KeyNumber> report_numbers(const StageContext& context) {
     }
     add_long_wave(context, numbers);
     add_beam(context, numbers);
+    add_sizes(context, numbers);
     for (const Quantity& quantity : told_quantities(context.folder)) {
         if (!is_told(numbers, quantity))
             numbers.push_back({quantity.label, with_unit(quantity.value, quantity.unit)});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/error.h"
 #include "io/cell_table.h"
@@ -20,19 +21,16 @@ double span(const std::vector<double>& values) {
     return *high - *low;
 }
 
-// Above the start, by more than rounding of the greatest energy.
+// Above the start, by more than rounding of what it is a sum of; told as a share of what moves.
 void check_energy(const io::Table& ledger, Warnings& warnings) {
-    const auto* energy = ledger.find("energy");
-    const auto* gravitational = ledger.find("gravitational");
-    if (!energy || energy->empty() || !gravitational) return;
+    const auto *energy = ledger.find("energy"), *gravitational = ledger.find("gravitational"),
+               *kinetic = ledger.find("kinetic");
+    if (!energy || energy->empty() || !gravitational || !kinetic) return;
     const double rise = *std::ranges::max_element(*energy) - energy->front();
-    const double scale = std::abs(gravitational->front());
-    if (rise > rounding * scale) {
-        warnings.push_back(
-            "The total energy rises by up to " + short_number(rise) + " J above its start, " +
-            short_number(rise / scale) +
-            " of the gravitational energy: it should only fall (energy chart, simulate/ledger.csv).");
-    }
+    if (rise <= rounding * std::max(std::abs(energy->front()), std::abs(gravitational->front()))) return;
+    warnings.push_back("The total energy rises by up to " + short_number(rise) + " J above its start, " +
+                       short_number(100.0 * rise / *std::ranges::max_element(*kinetic)) +
+                       " % of the greatest kinetic energy: it should only fall (simulate/ledger.csv).");
 }
 
 // mass + outflow_mass stays what it was at the start.
@@ -48,6 +46,27 @@ void check_mass(const io::Table& ledger, Warnings& warnings) {
                            short_number(all.front()) + " kg.");
 }
 
+// momentum + outflow − walls' impulse − gravity's impulse stays what it was, to rounding of what was brought.
+void check_momentum(const io::Table& ledger, Warnings& warnings) {
+    for (const std::string axis : {"x", "y", "z"}) {
+        const auto *momentum = ledger.find("momentum_" + axis), *wall = ledger.find("wall_impulse_" + axis),
+                   *outflow = ledger.find("outflow_momentum_" + axis),
+                   *gravity = ledger.find("gravity_impulse_" + axis);
+        if (!momentum || momentum->empty() || !wall) continue;
+        std::vector<double> open = *momentum;
+        double brought = 0.0;
+        for (std::size_t r = 0; r < open.size(); ++r) {
+            const double pull = gravity ? (*gravity)[r] : 0.0;
+            open[r] += (outflow ? (*outflow)[r] : 0.0) - (*wall)[r] - pull;
+            brought = std::max({brought, std::abs(pull), std::abs((*wall)[r]), std::abs((*momentum)[r])});
+        }
+        if (span(open) > rounding * brought)
+            warnings.push_back("Momentum along " + axis + " is open by " + short_number(span(open)) +
+                               " kg m/s of " + short_number(brought) +
+                               " kg m/s brought by walls and gravity.");
+    }
+}
+
 void check_ledger(const StageContext& context, Warnings& warnings) {
     const auto path = simulated_table(context, "ledger.csv");
     if (path.empty()) {
@@ -57,14 +76,15 @@ void check_ledger(const StageContext& context, Warnings& warnings) {
     const io::Table ledger = io::read_table(path);
     check_energy(ledger, warnings);
     check_mass(ledger, warnings);
+    check_momentum(ledger, warnings);
 }
 
-// A run that is going on, was stopped, or whose frames end early.
+// A run of this program that is going on or was stopped; frames.h refuses gaps.
 void check_end(const StageContext& context, const Frames& frames, Warnings& warnings) {
-    const double end = context.scene.simulate.end_time;
-    if (frames.times.empty() || frames.times.back() > end - 1.5 * context.scene.simulate.snapshot_interval)
-        return;
-    warnings.push_back("The run has not ended: its last frame is of t = " +
+    const double end = context.scene.simulate.end_time, interval = context.scene.simulate.snapshot_interval;
+    if (frames.times.empty() || simulated_table(context, "log").empty()) return;
+    if (frames.times.back() >= end - 1.5 * interval) return;
+    warnings.push_back("The run is going on or was stopped: its last frame is of t = " +
                        short_number(frames.times.back()) + " s of " + short_number(end) + " s.");
 }
 
@@ -85,27 +105,37 @@ void check_gauges(const StageContext& context, Warnings& warnings) {
     }
 }
 
-// What the fits and statistics themselves doubt.
-void check_doubts(const StageContext& context, const std::string& file, const std::string& what,
-                  Warnings& warnings) {
+// What the fits and statistics themselves doubt, with the rows that do: by the column `by`.
+void check_doubts(const StageContext& context, const std::string& file, const std::string& by,
+                  const std::string& what, Warnings& warnings) {
     const auto path = context.folder / file;
     if (!std::filesystem::exists(path)) return;
     const io::CellTable table = io::read_cells(path);
-    Warnings doubts;
+    std::map<std::string, Warnings> rows;
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const std::string doubt = table.word(r, "doubt");
-        if (!doubt.empty() && std::ranges::find(doubts, doubt) == doubts.end()) doubts.push_back(doubt);
+        if (doubt.empty() || doubt == "none") continue;
+        Warnings& names = rows[doubt];
+        if (std::ranges::find(names, table.word(r, by)) == names.end()) names.push_back(table.word(r, by));
     }
-    for (const std::string& doubt : doubts)
-        warnings.push_back(what + " is not to be trusted: " + doubt + " (" + file + ").");
+    for (const auto& [doubt, names] : rows) {
+        std::string list;
+        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+        warnings.push_back(what + " (" + by + " " + list + ") is not to be trusted: " + doubt + " (" + file +
+                           ").");
+    }
 }
 
 void check_impulse(const StageContext& context, Warnings& warnings) {
     const auto path = context.folder / "waves_3d.csv";
     if (!std::filesystem::exists(path)) return;
     const io::CellTable table = io::read_cells(path);
-    if (table.word(0, "impulse_range") == "0" || table.word(0, "impulse_range") == "outside")
-        warnings.push_back("The impulse-product estimate is outside of its validated range.");
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        const std::string range = table.word(r, "impulse_range");
+        if (!range.starts_with("outside")) continue;
+        warnings.push_back("The impulse-product estimate of the wave is " + range + " (waves_3d.csv).");
+        return;
+    }
 }
 
 }  // namespace
@@ -123,9 +153,9 @@ std::vector<std::string> report_warnings(const StageContext& context, const Fram
     check_end(context, frames, warnings);
     check_ledger(context, warnings);
     check_gauges(context, warnings);
-    check_doubts(context, "size_fits.csv", "The fit of the icebergs' sizes", warnings);
-    check_doubts(context, "decay_fit.csv", "The fit of the wave's decay", warnings);
-    check_doubts(context, "waves.csv", "A gauge's wave statistics", warnings);
+    check_doubts(context, "size_fits.csv", "set", "The fit of the icebergs' sizes", warnings);
+    check_doubts(context, "decay_fit.csv", "source", "The fit of the wave's decay", warnings);
+    check_doubts(context, "waves.csv", "x", "The waves' statistics at gauges", warnings);
     check_impulse(context, warnings);
     return warnings;
 }
