@@ -108,11 +108,12 @@ std::string describe(const CalvingWave& wave) {
                        io::format_fixed(wave.impulse.amplitude, 1) + " m high near the impact" +
                        (wave.impulse.is_valid() ? "" : " (outside the validated range)") + "\n";
     if (std::isnan(wave.amplitude)) return text;
-    constexpr double ratio = 10.0;
+    constexpr double ratio = analysis::laboratory_distances.back();
     const double middle = analysis::radial_factor(slide, ratio) * wave.amplitude;
     return text + "in 3D its crest of " + io::format_fixed(wave.amplitude, 1) + " m would be " +
            fixed((1.0 - analysis::radial_scatter) * middle) + " to " +
-           fixed((1.0 + analysis::radial_scatter) * middle) + " m at ten depths\n";
+           fixed((1.0 + analysis::radial_scatter) * middle) + " m at a distance of " +
+           io::format_fixed(ratio, 0) + " depths\n";
 }
 
 }  // namespace tidewater::postprocess

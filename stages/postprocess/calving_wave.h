@@ -28,9 +28,9 @@
 namespace tidewater::postprocess {
 
 struct CalvingWave {
-    analysis::Slide slide;
+    analysis::Slide slide{};
     double speed_time = analysis::none;  // s
-    analysis::ImpulseProduct impulse;
+    analysis::ImpulseProduct impulse{};
     double front = analysis::none;      // x, m
     double amplitude = analysis::none;  // m; NaN: no gauge saw a crest
     double amplitude_x = analysis::none;

@@ -20,7 +20,7 @@ namespace {
 
 using namespace tidewater;
 
-constexpr double length = 1000.0, width = 500.0, height = 200.0, depth = 100.0, front = 400.0,
+constexpr double length = 1000.0, width = 500.0, depth = 100.0, front = 400.0,
                  ice_top = 150.0;
 constexpr double crack = 360.0;  // x, m
 constexpr float never = std::numeric_limits<float>::quiet_NaN();

@@ -227,7 +227,7 @@ TEST_CASE("our own snapshots and collections are read back as they are") {
     CHECK(own.time == ours.time);
     CHECK(read_particle_time(folder / "frame_0000.hdf") == 1.25);
     CHECK(notes_of(folder / "frame_0000.hdf", import).empty());
-    write_particles(folder / "particles_0000.vtp", ours, test_provenance());
+    write_particles(folder / "particles_0000.vtp", ours, {}, test_provenance());
     const Snapshot collected = read_particle_file(folder / "particles_0000.vtp", import);
     for_each_column([&](const auto& column) {
         CAPTURE(column.name);
