@@ -90,11 +90,6 @@ std::size_t greatest_density(const Spectrum& spectrum) {
     return static_cast<std::size_t>(std::ranges::max_element(spectrum.density) - spectrum.density.begin());
 }
 
-bool peak_is_resolved(const Spectrum& spectrum) {
-    const std::size_t peak = greatest_density(spectrum);
-    return spectrum.density[peak] > 0.0 && spectrum.frequency[peak] >= 2.0 * spectrum.resolution;
-}
-
 }  // namespace
 
 double Spectrum::width(std::size_t k) const {
@@ -108,14 +103,20 @@ double Spectrum::moment(int order) const {
     return sum;
 }
 
-double Spectrum::significant_height() const { return moment(0) > 0.0 ? 4.0 * std::sqrt(moment(0)) : none; }
-double Spectrum::mean_period() const { return moment(1) > 0.0 ? moment(0) / moment(1) : none; }
+bool Spectrum::peak_is_resolved() const {
+    if (frequency.empty()) return false;
+    const std::size_t peak = greatest_density(*this);
+    return density[peak] > 0.0 && frequency[peak] >= 2.0 * resolution;
+}
+
+double Spectrum::significant_height() const { return peak_is_resolved() ? 4.0 * std::sqrt(moment(0)) : none; }
+double Spectrum::mean_period() const { return peak_is_resolved() ? moment(0) / moment(1) : none; }
 double Spectrum::zero_crossing_period() const {
-    return moment(2) > 0.0 ? std::sqrt(moment(0) / moment(2)) : none;
+    return peak_is_resolved() ? std::sqrt(moment(0) / moment(2)) : none;
 }
 
 double Spectrum::peak_period() const {
-    if (frequency.empty() || !peak_is_resolved(*this)) return none;
+    if (!peak_is_resolved()) return none;
     const std::size_t peak = greatest_density(*this);
     double shift = 0.0;
     if (peak + 1 < density.size() && density[peak - 1] > 0.0 && density[peak + 1] > 0.0) {
@@ -154,7 +155,7 @@ Spectrum wave_spectrum(std::span<const double> time, std::span<const double> ele
 
     const double missing = 1.0 - static_cast<double>(stretch.count) / static_cast<double>(time.size());
     if (missing > most_missing) spectrum.doubt = "gaps take more than a tenth of the record";
-    if (!peak_is_resolved(spectrum)) spectrum.doubt = "the record is too short for its longest waves";
+    if (!spectrum.peak_is_resolved()) spectrum.doubt = "the record is too short for its longest waves";
     return spectrum;
 }
 

@@ -43,9 +43,11 @@ struct Spectrum {
 
     double width(std::size_t k) const;  // Δf w_k, Hz
     double moment(int order) const;     // m_n, m² Hzⁿ; 0 of an empty spectrum
-    double significant_height() const;  // H_m0, m; this and the following: NaN of an empty spectrum or m0 = 0
-    double peak_period() const;         // T_p, s; NaN also where E is greatest below two resolutions
-    double mean_period() const;         // T_m01, s
+    bool peak_is_resolved() const;      // E is greatest at two resolutions or above
+    // These are NaN where the peak is not resolved: the line that was taken off took a part of the waves.
+    double significant_height() const;    // H_m0, m
+    double peak_period() const;           // T_p, s
+    double mean_period() const;           // T_m01, s
     double zero_crossing_period() const;  // T_m02, s
 };
 

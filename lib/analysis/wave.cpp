@@ -126,14 +126,19 @@ GaugeWave analyse_change(double x, std::span<const double> time, std::span<const
 GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const double> elevation,
                         const WaveSettings& settings) {
     assert(time.size() == elevation.size() && settings.depth > 0.0 && settings.gravity > 0.0);
-    std::vector<double> change =
-        smooth(time, elevation, smoothing * std::sqrt(settings.depth / settings.gravity));
-    const auto first = std::ranges::find_if(change, [](double value) { return !std::isnan(value); });
-    const double rest = first == change.end() ? 0.0 : *first;
-    for (double& value : change) value -= rest;
-    GaugeWave wave = analyse_change(x, time, change, settings);
-    for (double* level : {&wave.crest, &wave.trough, &wave.greatest, &wave.lowest}) *level += rest;
+    const RecordChange change = change_from_rest(time, elevation, settings.depth, settings.gravity);
+    GaugeWave wave = analyse_change(x, time, change.value, settings);
+    for (double* level : {&wave.crest, &wave.trough, &wave.greatest, &wave.lowest}) *level += change.rest;
     return wave;
+}
+
+RecordChange change_from_rest(std::span<const double> time, std::span<const double> elevation, double depth,
+                              double gravity) {
+    RecordChange change{.value = smooth(time, elevation, smoothing * std::sqrt(depth / gravity))};
+    const auto first = std::ranges::find_if(change.value, [](double value) { return !std::isnan(value); });
+    if (first != change.value.end()) change.rest = *first;
+    for (double& value : change.value) value -= change.rest;
+    return change;
 }
 
 double long_wave_celerity(double depth, double gravity) { return std::sqrt(gravity * depth); }

@@ -55,6 +55,14 @@ struct GaugeWave {
 GaugeWave analyse_gauge(double x, std::span<const double> time, std::span<const double> elevation,
                         const WaveSettings& settings);
 
+// The record smoothed as above, less η0.
+struct RecordChange {
+    double rest = 0.0;          // η0, m; 0 if all is NaN
+    std::vector<double> value;  // m; NaN where dry
+};
+RecordChange change_from_rest(std::span<const double> time, std::span<const double> elevation, double depth,
+                              double gravity);
+
 // √(gD), m/s: the speed of long waves of small amplitude.
 double long_wave_celerity(double depth, double gravity);
 

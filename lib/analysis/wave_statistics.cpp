@@ -53,9 +53,9 @@ double mean_over_time(std::span<const double> time, std::span<const double> valu
 }
 
 std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time,
-                                                  std::span<const double> elevation, double margin) {
+                                                  std::span<const double> elevation, double zero,
+                                                  double margin) {
     assert(time.size() == elevation.size() && margin >= 0.0);
-    const double zero = mean_over_time(time, elevation);
     std::vector<double> value;
     for (const double eta : elevation) value.push_back(eta - zero);
     std::vector<ZeroCrossingWave> waves;

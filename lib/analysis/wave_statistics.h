@@ -2,8 +2,8 @@
 //
 // A wave reaches from one zero-up-crossing to the next (series.h); its height H is its crest minus its
 // trough, each from the parabola through its highest, or lowest, sample and the two beside it. Zero is the
-// mean of the record. Waves that a gap (NaN) cuts do not count, nor does what comes before the first crossing
-// and after the last.
+// still level, or the mean of a record that does not begin at rest. Waves that a gap (NaN) cuts do not count,
+// nor does what comes before the first crossing and after the last.
 //
 //     H_max    greatest height              H_m   mean height
 //     H_1/3    mean of the highest third, rounded up to whole waves: the significant height H_s
@@ -26,7 +26,7 @@ namespace tidewater::analysis {
 struct ZeroCrossingWave {
     double start = none;   // s, of its zero-up-crossing
     double period = none;  // s
-    double crest = none;   // m, above the record's mean
+    double crest = none;   // m, above zero
     double trough = none;  // m, likewise
 
     double height() const { return crest - trough; }
@@ -45,10 +45,11 @@ struct WaveStatistics {
     std::string doubt;                 // why not to trust them as statistics; empty: they can be trusted
 };
 
-// time and elevation (m; NaN: dry) as for all of series.h. margin: m ≥ 0, a rise that stays within it of zero
-// is no crossing.
+// time and elevation (m; NaN: dry) as for all of series.h. zero: m. margin: m ≥ 0, a rise that stays within
+// it of zero is no crossing.
 std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time,
-                                                  std::span<const double> elevation, double margin);
+                                                  std::span<const double> elevation, double zero,
+                                                  double margin);
 
 WaveStatistics wave_statistics(std::span<const ZeroCrossingWave> waves);
 

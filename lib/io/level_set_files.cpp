@@ -97,8 +97,7 @@ void write_surfaces(const std::filesystem::path& path, const std::vector<Numbere
     data->GetPointData()->AddArray(body);
     add_field(data, "bodies", legend(level_sets));
     add_provenance(data, "tidewater-surfaces", surfaces_format_version, provenance);
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    write_vtk(path, writer, data);
+    write_vtk<vtkXMLPolyDataWriter>(path, data);
 }
 
 void write_image(const std::filesystem::path& path, const std::vector<NumberedLevelSet>& level_sets,
@@ -133,8 +132,7 @@ void write_image(const std::filesystem::path& path, const std::vector<NumberedLe
     }
     add_field(data, "bodies", legend(level_sets));
     add_provenance(data, "tidewater-image", image_format_version, provenance);
-    vtkNew<vtkXMLImageDataWriter> writer;
-    write_vtk(path, writer, data);
+    write_vtk<vtkXMLImageDataWriter>(path, data);
 }
 
 }  // namespace tidewater::io

@@ -53,13 +53,14 @@ constexpr auto block_member() {
         [](Scene& scene, std::size_t item) -> T& { return scene.blocks[item].*last; }};
 }
 
-using AnyMember = std::variant<Member<double>, Member<int>, Member<std::uint64_t>, Member<std::string>,
-                               Member<std::vector<double>>, Member<Points>, Member<std::vector<std::string>>,
-                               Member<mpm::WallRule>, Member<mpm::PistonMotion>, Member<mpm::Moduli>,
-                               Member<mpm::ShearReturn>, Member<mpm::WaterScheme>, Member<mpm::WaterTension>,
-                               Member<mpm::Transfer>, Member<mpm::BodyContact>, Member<IceBase>,
-                               Member<BedShape>, Member<Nodata>, Member<Pattern>, Member<Softening>,
-                               Member<HardeningLimit>, Member<Precision>, Member<analysis::WaveKind>>;
+using AnyMember =
+    std::variant<Member<bool>, Member<double>, Member<int>, Member<std::uint64_t>, Member<std::string>,
+                 Member<std::vector<double>>, Member<Points>, Member<std::vector<std::string>>,
+                 Member<mpm::WallRule>, Member<mpm::PistonMotion>, Member<mpm::Moduli>,
+                 Member<mpm::ShearReturn>, Member<mpm::WaterScheme>, Member<mpm::WaterTension>,
+                 Member<mpm::Transfer>, Member<mpm::BodyContact>, Member<IceBase>, Member<BedShape>,
+                 Member<Nodata>, Member<Pattern>, Member<Softening>, Member<HardeningLimit>,
+                 Member<Precision>, Member<analysis::WaveKind>>;
 
 // Stages that read a key, as bits.
 constexpr unsigned by(Stage stage) { return 1u << static_cast<unsigned>(stage); }

@@ -200,12 +200,17 @@ struct Scene {
         int picture_width = 1600;            // pixels
         double picture_speed = 0.0;          // m/s, the colour scale's upper end; 0: the run's own
         std::vector<double> picture_window;  // m: x0, z0, x1, z1 of the part to draw; empty: all
+        int decimation = 1;                  // of the particles for ParaView one in so many is kept; 0: none
+        bool surfaces = true;                // of water and bodies, for ParaView
         double arrival_threshold =
             0.05;  // a wave has arrived at this share of the gauge's greatest amplitude
         double iceberg_damage =
             0.5;  // effect "fracture": ice that lost this share of its strength has failed
         std::vector<std::string> references;  // "quantity least greatest source"
         double iceberg_share = 0.05;  // likewise: an iceberg's least volume, over the ice's height² × width
+        double iceberg_reach = 1.5;   // effect "ice": of a connection, in particle spacings
+        double iceberg_volume = 0.0;  // m³ (2D: m²): least of an iceberg that is followed; 0: two cells' cube
+        double calving_window = 0.0;  // s, over which the calving rate is taken; 0: a tenth of the run
     } postprocess;
 
     bool has(std::string_view effect) const;

@@ -61,7 +61,7 @@ Value node_value(const toml::node& node) {
     if (const auto* number = node.as_floating_point()) return number->get();
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* array = node.as_array()) return list_value(*array);
-    if (const auto* truth = node.as_boolean()) return Foreign{truth->get() ? "true" : "false"};
+    if (const auto* truth = node.as_boolean()) return truth->get();
     return Foreign{"a date or time"};
 }
 
@@ -151,6 +151,7 @@ std::vector<std::string> split_lines(std::string_view text) {
 std::string describe(const Value& value) {
     struct Describe {
         std::string operator()(std::int64_t whole) const { return std::to_string(whole); }
+        std::string operator()(bool truth) const { return truth ? "true" : "false"; }
         std::string operator()(double number) const { return number_text(number); }
         std::string operator()(const std::string& text) const { return "text " + quoted_text(text); }
         std::string operator()(const std::vector<double>& list) const { return count(list.size(), "number"); }

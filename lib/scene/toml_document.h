@@ -19,7 +19,7 @@ struct Foreign {
 using Points = std::vector<std::vector<double>>;
 
 // An empty list, and one of numbers alone, is a std::vector<double>.
-using Value = std::variant<std::int64_t, double, std::string, std::vector<double>, Points,
+using Value = std::variant<std::int64_t, bool, double, std::string, std::vector<double>, Points,
                            std::vector<std::string>, Foreign>;
 
 // The value for a message: `text "abc"`, `2.5`, `a list of 3 numbers`.

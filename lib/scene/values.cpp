@@ -64,6 +64,12 @@ bool convert(const Value& value, double& to) {
     return std::holds_alternative<std::int64_t>(value) || std::holds_alternative<double>(value);
 }
 
+bool convert(const Value& value, bool& to) {
+    const auto* truth = std::get_if<bool>(&value);
+    if (truth != nullptr) to = *truth;
+    return truth != nullptr;
+}
+
 bool convert(const Value& value, std::uint64_t& to) {
     const auto* whole = std::get_if<std::int64_t>(&value);
     if (whole == nullptr || *whole < 0) return false;
@@ -141,6 +147,7 @@ std::string example_text(const Key& key) {
 struct TypeName {
     const Key& key;
 
+    std::string operator()(const Member<bool>&) const { return "true or false"; }
     std::string operator()(const Member<double>&) const { return "a number"; }
     std::string operator()(const Member<int>&) const { return "a whole number"; }
     std::string operator()(const Member<std::uint64_t>&) const { return "a whole number of 0 or more"; }
@@ -159,6 +166,7 @@ struct TypeName {
 };
 
 struct Print {
+    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
     std::string operator()(double number) const { return number_text(number); }
     std::string operator()(int whole) const { return std::to_string(whole); }
     std::string operator()(std::uint64_t whole) const { return std::to_string(whole); }

@@ -8,6 +8,7 @@
 //     tidewater-<stage> SCENE [--set KEY=VALUE]... [--run FOLDER] [--threads N]    runs the stage
 //     tidewater-<stage> SCENE --check | --print-scene | --print-part STAGE         only looks at the scene
 //     tidewater-<stage> --help | --help-scene | --version
+//     tidewater-postprocess SCENE [--particles FILE... [--map COLUMN=ARRAY,...]]
 //     tidewater-simulate SCENE [--from start|CHECKPOINT] [--until TIME]
 //     tidewater-postprocess SCENE [--movie]
 //
@@ -20,6 +21,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/options.h"
 #include "core/provenance.h"
 #include "scene/scene.h"
 
@@ -30,6 +32,8 @@ struct StageContext {
     std::filesystem::path run;     // the folder of all stages' results
     std::filesystem::path folder;  // run/<stage>; exists and can be written to
     Provenance provenance;
+
+    ParticleOptions particles;  // postprocess's options
 
     std::string from;    // simulate's options; see StageOptions
     double until = 0.0;  // s

@@ -1,6 +1,7 @@
 #include "charts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "io/chart.h"
@@ -32,6 +33,21 @@ std::string place_title(const io::NamedPlace& place) {
     std::string title = "x = " + io::format_number(*place.x) + " m";
     if (place.y) title += ", y = " + io::format_number(*place.y) + " m";
     return title;
+}
+
+// In J, kJ, MJ, … so that the axis needs at most four digits.
+void use_energy_unit(io::ChartPanel& panel, bool per_width) {
+    constexpr std::array units{"J", "kJ", "MJ", "GJ", "TJ", "PJ"};
+    double greatest = 0.0, scale = 1.0;
+    for (const io::ChartLine& line : panel.lines) {
+        for (const double value : line.y) greatest = std::fmax(greatest, std::abs(value));
+    }
+    std::size_t unit = 0;
+    for (; greatest >= 1e4 * scale && unit + 1 < units.size(); ++unit) scale *= 1000.0;
+    for (io::ChartLine& line : panel.lines) {
+        for (double& value : line.y) value /= scale;
+    }
+    panel.y_label = std::string("energy (") + units[unit] + (per_width ? " per m of width)" : ")");
 }
 
 }  // namespace
@@ -91,7 +107,6 @@ std::string energy_chart(const io::Table& ledger, const std::filesystem::path& p
                          const StageContext& context) {
     const auto& time = io::require_column(ledger, "time", path);
     io::ChartPanel panel;
-    panel.y_label = context.scene.dimension == 2 ? "energy (J per m of width)" : "energy (J)";
     std::vector<double> total(time.size(), 0.0);
     for (const char* name : {"kinetic", "gravitational", "elastic"}) {
         const auto values = change(io::require_column(ledger, name, path));
@@ -105,6 +120,7 @@ std::string energy_chart(const io::Table& ledger, const std::filesystem::path& p
                            .y = change(io::require_column(ledger, "boundary_work", path)),
                            .color = 4,
                            .dashed = true});
+    use_energy_unit(panel, context.scene.dimension == 2);
     return io::draw_chart(
         {.title = context.scene.title, .x_label = "time (s)", .panels = {panel}, .panel_height = 360.0},
         context.provenance);

@@ -11,26 +11,14 @@
 #include "core/error.h"
 #include "io/table.h"
 #include "io/text.h"
+#include "io/wave_records_nc.h"
+#include "wave_source.h"
 
 namespace tidewater::postprocess {
 namespace {
 
 // In cells; analysis/surface.h: particle noise stays below.
 constexpr double smallest_amplitude = 0.25;
-
-// The heaviest block; it makes the greatest wave.
-const scene::Scene::Block& wave_maker(const scene::Scene& scene) {
-    return *std::ranges::max_element(scene.blocks, {}, [](const scene::Scene::Block& block) {
-        double mass = block.density;
-        for (const double edge : block.size) mass *= edge;
-        return mass;
-    });
-}
-
-// There the block's wave runs to the left.
-bool is_left_of_block(const scene::Scene& scene, double x) {
-    return scene.has("rigid") && x < wave_maker(scene).center.front();
-}
 
 analysis::WaveSettings wave_settings(const scene::Scene& scene, double x) {
     return {.depth = scene.water.depth,
@@ -43,7 +31,8 @@ analysis::WaveSettings wave_settings(const scene::Scene& scene, double x) {
 double error_percent(double value, double reference) { return 100.0 * (value / reference - 1.0); }
 
 std::vector<std::string> row(const Waves& waves, const io::NamedPlace& place, const std::string& source,
-                             const std::vector<double>& seen, const analysis::Celerity& celerity) {
+                             const std::vector<double>& seen, const analysis::Celerity& celerity,
+                             const GaugeStatistics& statistics) {
     std::vector<std::string> cells{io::format_number(place.x.value_or(analysis::none)),
                                    io::format_number(place.y.value_or(analysis::none)), source};
     for (const double value : seen) cells.push_back(io::format_number(value));
@@ -53,6 +42,14 @@ std::vector<std::string> row(const Waves& waves, const io::NamedPlace& place, co
           celerity.from_arrivals, error_percent(celerity.from_arrivals, reference)}) {
         cells.push_back(io::format_number(value));
     }
+    const analysis::WaveStatistics& s = statistics.waves;
+    const analysis::Spectrum& spectrum = statistics.spectrum;
+    for (const double value : {statistics.depth, static_cast<double>(s.waves), s.significant_height,
+                               s.greatest_height, s.mean_height, s.mean_period, s.significant_period,
+                               spectrum.significant_height(), spectrum.peak_period(), spectrum.mean_period(),
+                               spectrum.zero_crossing_period(), statistics.energy_flux, statistics.energy})
+        cells.push_back(io::format_number(value));
+    cells.push_back(statistics.doubt);
     return cells;
 }
 
@@ -141,7 +138,21 @@ void write_gauges(const std::filesystem::path& path, const std::vector<GaugeReco
     table.finish();
 }
 
-Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
+void write_gauges_nc(const std::filesystem::path& folder, const std::vector<GaugeRecord>& records,
+                     const scene::Scene& scene, const Provenance& provenance) {
+    const double middle = 0.5 * make_tank(scene).size[1];
+    io::GaugeRecords run{.title = scene.title, .time = {}, .stations = {}}, snapshots = run;
+    for (const GaugeRecord& record : records) {
+        io::GaugeRecords& file = record.source == "run" ? run : snapshots;
+        file.time = record.time;
+        file.stations.push_back({io::place_name(record.place), *record.place.x,
+                                 record.place.y.value_or(middle), record.elevation});
+    }
+    io::write_gauges_nc(folder / "gauges.nc", run.stations.empty() ? snapshots : run, provenance);
+    if (!run.stations.empty()) io::write_gauges_nc(folder / "gauges_snapshots.nc", snapshots, provenance);
+}
+
+Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene, const Ground& ground) {
     Waves waves;
     waves.records = std::move(records);
     std::ranges::stable_sort(waves.records, {}, [](const GaugeRecord& record) {
@@ -151,9 +162,13 @@ Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
     for (const GaugeRecord& record : waves.records) {
         const double x = *record.place.x;
         waves.gauges.emplace_back().x = x;
+        waves.statistics.emplace_back();
         if (!waves_run) continue;
         waves.gauges.back() =
             analysis::analyse_gauge(x, record.time, record.elevation, wave_settings(scene, x));
+        const double y = record.place.y.value_or(0.5 * make_tank(scene).size[1]);
+        waves.statistics.back() =
+            gauge_statistics(record, waves.gauges.back(), scene.water.depth - ground.height(x, y), scene);
     }
     waves.to_next = analysis::celerity_between(waves.gauges);
     for (std::size_t i = 0; i < waves.to_next.size(); ++i) {
@@ -172,21 +187,51 @@ Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene) {
 }
 
 void write_waves(const std::filesystem::path& path, const Waves& waves, const Provenance& provenance) {
-    io::TableWriter table(
-        path, provenance,
-        {"x", "y", "source", "arrival", "crest_time", "crest", "trough", "height", "period", "greatest",
-         "greatest_time", "lowest", "mean_period", "record_end", "celerity", "long_wave_celerity",
-         "error_percent", "celerity_from_arrivals", "error_percent_from_arrivals"});
+    io::TableWriter table(path, provenance,
+                          {"x",
+                           "y",
+                           "source",
+                           "arrival",
+                           "crest_time",
+                           "crest",
+                           "trough",
+                           "height",
+                           "period",
+                           "greatest",
+                           "greatest_time",
+                           "lowest",
+                           "mean_period",
+                           "record_end",
+                           "celerity",
+                           "long_wave_celerity",
+                           "error_percent",
+                           "celerity_from_arrivals",
+                           "error_percent_from_arrivals",
+                           "depth",
+                           "waves",
+                           "H_s",
+                           "H_max",
+                           "H_mean",
+                           "T_z",
+                           "T_s",
+                           "H_m0",
+                           "T_p",
+                           "T_m01",
+                           "T_m02",
+                           "energy_flux",
+                           "energy",
+                           "doubt"});
     for (std::size_t i = 0; i < waves.gauges.size(); ++i) {
         const analysis::GaugeWave& g = waves.gauges[i];
         const std::vector<double> seen{g.arrival, g.crest_time,  g.crest,     g.trough,
                                        g.height,  g.period,      g.greatest,  g.greatest_time,
                                        g.lowest,  g.mean_period, g.record_end};
         const auto celerity = i < waves.to_next.size() ? waves.to_next[i] : analysis::Celerity{};
-        table.append_cells(row(waves, waves.records[i].place, waves.records[i].source, seen, celerity));
+        table.append_cells(
+            row(waves, waves.records[i].place, waves.records[i].source, seen, celerity, waves.statistics[i]));
     }
     const std::vector<double> nothing(11, analysis::none);
-    table.append_cells(row(waves, {}, "all", nothing, waves.overall));
+    table.append_cells(row(waves, {}, "all", nothing, waves.overall, {}));
     table.finish();
 }
 

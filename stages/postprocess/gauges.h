@@ -12,6 +12,7 @@
 #include "frame_pass.h"
 #include "io/places.h"
 #include "scene/scene.h"
+#include "statistics.h"
 
 namespace tidewater::postprocess {
 
@@ -30,6 +31,11 @@ std::vector<GaugeRecord> read_run_gauges(const std::filesystem::path& path);
 FrameProduct gauges_product(const StageContext& context, const Ground& ground);
 std::vector<GaugeRecord> gather_gauges(const StageContext& context, const Frames& frames);
 
+// gauges.nc (io/wave_records_nc.h) of simulate's gauges, or of those from snapshots where there are none of
+// simulate's; gauges_snapshots.nc of the latter where there are both, for they have times of their own.
+void write_gauges_nc(const std::filesystem::path& folder, const std::vector<GaugeRecord>& records,
+                     const scene::Scene& scene, const Provenance& provenance);
+
 // Writes records of equal times as a table with the columns time, x=<x> or x=<x> y=<y>, ...
 void write_gauges(const std::filesystem::path& path, const std::vector<GaugeRecord>& records,
                   const Provenance& provenance);
@@ -37,6 +43,7 @@ void write_gauges(const std::filesystem::path& path, const std::vector<GaugeReco
 struct Waves {
     std::vector<GaugeRecord> records;            // in the order of x; those with a y behind, by y
     std::vector<analysis::GaugeWave> gauges;     // of each record
+    std::vector<GaugeStatistics> statistics;     // likewise
     std::vector<analysis::Celerity> to_next;     // from each gauge to the next, none to one of another y or
                                                  // on the other side of the block
     analysis::Celerity overall;                  // of the gauges to the right of the block
@@ -44,11 +51,11 @@ struct Waves {
 };
 
 // Without the effect "water" or without gravity the records are kept and everything else is empty or NaN.
-Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene);
+Waves analyse(std::vector<GaugeRecord> records, const scene::Scene& scene, const Ground& ground);
 
 // waves.csv: a row per gauge, in the order of x, with the members of GaugeWave, then the celerity from its
-// leading crest to that of the next gauge, √(gD) and their difference in %; the same from arrivals. The last
-// row, of source "all", has the celerities fitted to all gauges.
+// leading crest to that of the next gauge, √(gD) and their difference in %; the same from arrivals; then what
+// statistics.h says. The last row, of source "all", has the celerities fitted to all gauges.
 void write_waves(const std::filesystem::path& path, const Waves& waves, const Provenance& provenance);
 
 // The table that the stage prints for people.

@@ -42,10 +42,10 @@ constexpr std::array catalogue{
     Source{"iceberg_length", "first iceberg's length", "m", "first_iceberg.csv", "length"},
     Source{"iceberg_length_ratio", "first iceberg's length over its height, Li/Hi", "", "first_iceberg.csv",
            "length_ratio"},
-    Source{"iceberg_volume", "first iceberg's volume", "m³ (2D: m²)", "first_iceberg.csv", "volume"},
+    Source{"iceberg_volume", "first iceberg's volume", volume_unit, "first_iceberg.csv", "volume"},
     Source{"failed_width", "failed width of the main event", "m", "main_event.csv", "failed_width"},
     Source{"failure_angle", "angle of the failure plane", "°", "main_event.csv", "plane_angle"},
-    Source{"calved_volume", "calved volume", "m³ (2D: m²)", "calving.csv", "calved_total", Row::last},
+    Source{"calved_volume", "calved volume", volume_unit, "calving.csv", "calved_total", Row::last},
 };
 
 bool is_there(const std::filesystem::path& path) {

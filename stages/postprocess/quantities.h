@@ -15,6 +15,8 @@
 
 namespace tidewater::postprocess {
 
+inline constexpr const char* volume_unit = "m³";  // in 2D per metre of width
+
 struct Quantity {
     std::string name, label, unit;
     double value = 0.0;  // NaN: the run's tables do not tell it

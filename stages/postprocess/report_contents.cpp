@@ -38,12 +38,101 @@ constexpr std::array tables{
     Contents{"main_event.csv", "Main event", "The greatest loss between two frames; its failure plane."},
     Contents{"first_iceberg.csv", "First iceberg", "When and where it came off."},
     Contents{"iceberg_events.csv", "Splits and merges", "What became of the icebergs."},
-    Contents{"waves.csv", "Waves at the gauges", "One row per gauge; the last is fitted over all."},
+    Contents{"waves.csv", "Waves at the gauges",
+             "One row per gauge, the leading wave first; the last row is fitted over all gauges."},
     Contents{"decay_fit.csv", "Decay with distance", "Crest = amplitude × (distance/depth)^−exponent."},
+    Contents{"long_waves.csv", "Speed of long waves", "From gauge to gauge, by linear dispersion."},
     Contents{"waves_3d.csv", "The wave in 3D", "Eqs. 11 to 13 of the paper, with their ±50 % band."},
     Contents{"tsunami.csv", "The wave's source", "Slide parameters, first wave and energies."},
     Contents{"size_fits.csv", "Fits of iceberg sizes", "Maximum likelihood, 95 % intervals."},
 };
+
+struct Unit {
+    const char* unit;
+    std::vector<const char*> columns;
+};
+
+// Of columns whose names leave no doubt.
+const std::vector<Unit>& units() {
+    static const std::vector<Unit> all{
+        {"s", {"time",
+               "time_before",
+               "arrival",
+               "crest_time",
+               "period",
+               "greatest_time",
+               "mean_period",
+               "record_end",
+               "T_z",
+               "T_s",
+               "T_p",
+               "T_m01",
+               "T_m02",
+               "detachment_time",
+               "first_time",
+               "last_time",
+               "start_time",
+               "end_time",
+               "crack_time",
+               "speed_time",
+               "amplitude_time",
+               "celerity_from"}},
+        {"m",
+         {"x",
+          "y",
+          "crest",
+          "trough",
+          "greatest",
+          "lowest",
+          "H_s",
+          "H_max",
+          "H_mean",
+          "H_m0",
+          "depth",
+          "break_distance",
+          "first_length",
+          "first_width",
+          "first_height",
+          "first_x",
+          "first_y",
+          "first_z",
+          "first_draft",
+          "first_freeboard",
+          "last_x",
+          "last_y",
+          "last_z",
+          "last_draft",
+          "last_freeboard",
+          "failed_width",
+          "amplitude",
+          "amplitude_2d",
+          "amplitude_3d",
+          "amplitude_3d_low",
+          "amplitude_3d_high",
+          "impulse_height",
+          "impulse_amplitude",
+          "amplitude_x",
+          "amplitude_distance",
+          "length",
+          "height"}},
+        {"m/s",
+         {"celerity", "long_wave_celerity", "linear_celerity", "celerity_from_arrivals", "greatest_speed",
+          "speed"}},
+        {"kg", {"mass", "first_mass", "last_mass"}},
+        {"J", {"block_energy", "water_energy", "lost_energy", "greatest_rise"}},
+        {"°", {"plane_angle", "foot_angle"}}};
+    return all;
+}
+
+// "detachment_time" is "detachment time (s)", and the symbol "H_s" "H_s (m)".
+std::string heading(const std::string& column) {
+    std::string text = column;
+    if (!text.empty() && text.front() >= 'a') std::ranges::replace(text, '_', ' ');
+    for (const auto& [unit, columns] : units()) {
+        if (std::ranges::find(columns, column) != columns.end()) return text + " (" + unit + ")";
+    }
+    return text;
+}
 
 io::ReportTable shown(const Contents& contents, io::CellTable table) {
     std::string caption = contents.caption;
@@ -60,6 +149,7 @@ io::ReportTable shown(const Contents& contents, io::CellTable table) {
             if (cell == "nan") cell = "-";
         }
     }
+    for (std::string& column : table.columns) column = heading(column);
     caption += " All digits: " + std::string(contents.file);
     if (table.rows.size() != 1) return {contents.title, caption, table.columns, table.rows};
     io::ReportTable turned{

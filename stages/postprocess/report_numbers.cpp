@@ -23,6 +23,12 @@ std::string range_text(double low, double high, const std::string& unit) {
     return short_number(low) + " to " + with_unit(high, unit);
 }
 
+// In 2D volumes are per metre of width.
+Quantity of_scene(Quantity quantity, const scene::Scene& scene) {
+    if (scene.dimension == 2 && quantity.unit == volume_unit) quantity.unit += " per m of width";
+    return quantity;
+}
+
 io::KeyNumber compared(const Quantity& quantity, double low, double high, const std::string& source) {
     const bool within = low <= quantity.value && quantity.value <= high;
     const io::Verdict verdict = std::isnan(quantity.value) ? io::Verdict::none
@@ -104,15 +110,16 @@ std::string short_number(double value) {
 std::vector<io::KeyNumber> report_numbers(const StageContext& context) {
     std::vector<io::KeyNumber> numbers;
     for (const Reference& reference : parse_references(context.scene.postprocess.references)) {
-        const Quantity quantity = find_quantity(context.folder, reference.quantity);
+        const Quantity quantity = of_scene(find_quantity(context.folder, reference.quantity), context.scene);
         numbers.push_back(compared(quantity, reference.low, reference.high, reference.source));
     }
     add_long_wave(context, numbers);
     add_beam(context, numbers);
     add_sizes(context, numbers);
     for (const Quantity& quantity : told_quantities(context.folder)) {
-        if (!is_told(numbers, quantity))
-            numbers.push_back({quantity.label, with_unit(quantity.value, quantity.unit)});
+        if (is_told(numbers, quantity)) continue;
+        numbers.push_back(
+            {quantity.label, with_unit(quantity.value, of_scene(quantity, context.scene).unit)});
     }
     return numbers;
 }

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "analysis/wave.h"
 #include "io/table.h"
 #include "io/text.h"
+#include "wave_source.h"
 
 namespace tidewater::postprocess {
 namespace {
@@ -16,15 +16,10 @@ namespace {
 constexpr const char* outside = "outside the validated range";
 
 std::vector<WaveWay> ways_out(int number, const scene::Scene& scene) {
-    const BlockShape block = shape_of(number, scene);
-    const double angle = block.angle * std::numbers::pi / 180.0, length = scene.domain.size.front();
-    const double reach = 0.5 * (std::abs(std::cos(angle)) * block.size.front() +
-                                std::abs(std::sin(angle)) * block.size.back());
-    const double left = block.center.front() - reach, right = length - block.center.front() - reach;
-    if (left <= scene.domain.cell_size) return {{.source = 0.0, .wall = length, .wave = {}}};
-    if (right <= scene.domain.cell_size) return {{.source = length, .wall = 0.0, .wave = {}}};
-    return {{.source = block.center.front(), .wall = length, .wave = {}},
-            {.source = block.center.front(), .wall = 0.0, .wave = {}}};
+    std::vector<WaveWay> ways;
+    for (const WavePath& path : block_wave_paths(shape_of(number, scene), scene))
+        ways.push_back({.source = path.source, .wall = path.wall, .wave = {}});
+    return ways;
 }
 
 double linear_celerity(const analysis::FirstWave& wave, const analysis::Slide& slide) {

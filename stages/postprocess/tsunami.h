@@ -10,8 +10,8 @@
 #include "bodies.h"
 #include "core/provenance.h"
 #include "energy_split.h"
-#include "profiles.h"
 #include "scene/scene.h"
+#include "surface.h"
 
 namespace tidewater::postprocess {
 

@@ -21,7 +21,7 @@ case_named "a first call makes everything"
 since
 postprocess --set postprocess.gauges=[1]
 first=$(made)
-for file in ./frames/gauges_0000.csv ./frames/profile_0000.csv ./particles_0001.vtp ./frame_t=0.00.png; do
+for file in ./frames/gauges_0000.csv ./frames/surface_0000.h5 ./particles_0001.vtp ./frame_t=0.00.png; do
     [[ " $first " == *" $file "* ]] || fail_case "$file was not made: $first"
 done
 cp -r run/postprocess first

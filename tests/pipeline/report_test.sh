@@ -61,3 +61,9 @@ expect_line "The run is going on or was stopped: its last frame is of t = 0 s of
 case_named "an estimate outside of its validated range is told, once"
 report run
 expect_same "$(grep -c "The impulse-product estimate of the wave is outside" <<<"$output")" 1
+
+case_named "a run whose log is gone has a report without its cost"
+mv run/simulate/log log
+report run
+expect_no_line "particle-steps/s"
+expect_line "What was run"

@@ -27,7 +27,8 @@ Record sampled(double duration, double step, const Eta& eta) {
 }
 
 WaveStatistics statistics_of(const Record& record, double margin = 0.0) {
-    return wave_statistics(zero_crossing_waves(record.time, record.value, margin));
+    return wave_statistics(
+        zero_crossing_waves(record.time, record.value, mean_over_time(record.time, record.value), margin));
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ WaveStatistics statistics_of(const Record& record, double margin = 0.0) {
 TEST_CASE("a sinusoid has as many waves as whole periods, all of its height and period") {
     const Record record =
         sampled(21.0, 0.05, [](double t) { return 3.0 + 0.2 * std::sin(2 * pi * t / 2.0 - 1.0); });
-    const auto waves = zero_crossing_waves(record.time, record.value, 0.0);
+    const auto waves = zero_crossing_waves(record.time, record.value, 3.0, 0.0);
     REQUIRE(waves.size() == 10);
     CHECK(waves.front().start == doctest::Approx(1.0 / pi).epsilon(0.01));
     for (const auto& wave : waves) {
@@ -88,6 +89,15 @@ TEST_CASE("ripples within the margin are no waves") {
     const Record record = sampled(41.0, 0.01, ripples);
     CHECK(statistics_of(record, 0.05).waves == 5);
     CHECK(statistics_of(record, 0.0).waves > 5);
+}
+
+TEST_CASE("a wave that comes to a gauge at rest counts from its first rise") {
+    const Record record =
+        sampled(20.0, 0.01, [](double t) { return t < 5.0 ? 0.0 : std::sin(pi * (t - 5.0) / 2.0); });
+    const auto waves = zero_crossing_waves(record.time, record.value, 0.0, 0.05);
+    REQUIRE(waves.size() == 3);
+    CHECK(waves.front().start == doctest::Approx(5.0).epsilon(0.01));
+    CHECK(waves.front().height() == doctest::Approx(2.0).epsilon(1e-3));
 }
 
 TEST_CASE("waves that a gap cuts do not count") {

@@ -56,7 +56,9 @@ TEST_CASE("keys reach members of their own") {
         const auto change = [&](const auto& member) {
             auto& value = member.write(scene, 0);
             using T = std::remove_cvref_t<decltype(value)>;
-            if constexpr (std::is_same_v<T, std::string>)
+            if constexpr (std::is_same_v<T, bool>)
+                value = !value;
+            else if constexpr (std::is_same_v<T, std::string>)
                 value = "changed";
             else if constexpr (std::is_same_v<T, std::vector<double>>)
                 value = {7.0};
@@ -82,4 +84,8 @@ TEST_CASE("a value that is not taken leaves the scene as it was") {
     Scene scene;
     CHECK(set_value(*find_key("water.depth"), parse_value("-1"), scene) != "");
     CHECK(scene.water.depth == 0.0);
+    const Key& surfaces = *find_key("postprocess.surfaces");
+    CHECK(set_value(surfaces, parse_value("1"), scene) == "needs true or false, e.g. surfaces = true; got 1");
+    CHECK(set_value(surfaces, parse_value("false"), scene) == "");
+    CHECK(!scene.postprocess.surfaces);
 }
