@@ -1,7 +1,7 @@
 # Runs the stages of a scene, each one only if its part of the scene, its input or its executable has changed:
 #
 #     make -f tools/pipeline.mk SCENE=configs/quickstart.toml [RUN=runs/quickstart] [SET='--set a=1 --set b=2']
-#                               [BIN=build/bin] [THREADS=n] [FROM=start|CHECKPOINT]
+#                               [BIN=build/bin] [THREADS=n] [FROM=start|CHECKPOINT] [MOVIE=--movie]
 #
 # RUN/parts/<stage>.toml holds the keys that the stage reads and is replaced only when their text changes.
 # A stage's target is the file that it writes last, so what an interrupted stage leaves does not count as done.
@@ -14,6 +14,7 @@ BIN ?= build/bin
 THREADS ?= 0
 SET ?=
 FROM ?=
+MOVIE ?=
 
 geometry := $(RUN)/geometry/geometry.vdb
 simulate := $(RUN)/simulate/ledger.csv
@@ -41,8 +42,10 @@ $(geometry): $(call part,geometry) $(call program,geometry)
 $(simulate): $(geometry) $(call part,simulate) $(call program,simulate)
 	$(call run_stage,simulate,$(if $(FROM),--from $(FROM)))
 
-$(postprocess): $(simulate) $(call part,postprocess) $(call program,postprocess)
-	$(call run_stage,postprocess)
+# A movie that is wanted and not there is made; the stage skips what is up to date.
+$(postprocess): $(simulate) $(call part,postprocess) $(call program,postprocess) \
+		$(if $(MOVIE),$(if $(wildcard $(RUN)/postprocess/frames.mp4),,force))
+	$(call run_stage,postprocess,$(MOVIE))
 
 $(RUN)/parts/%.toml: force
 	@part=$$($(call program,$*) $(SCENE) $(SET) --print-part $*) && mkdir -p $(@D) && \

@@ -62,6 +62,13 @@ struct Calving {
     // than a quarter of the height, does not count. And the first failure in that third of the height.
     double start_height = none;
     double start_time = none;  // s
+    // The failure plane: that of least squares, by distances at right angles to it, through the cracks of all
+    // rows. Its angle to the horizontal, degrees: 90 is upright, less where the crack is farther behind the
+    // front at the top than at the base. foot_angle is that of the plane from the front's foot to the crack's
+    // place at the top, atan(height/length_top).
+    double plane_angle = none;
+    double plane_misfit = none;  // m, root mean square of those distances
+    double foot_angle = none;
 
     // The third of the height in which start_height lies; inside if there is none.
     CrackStart start() const { return crack_start(start_height); }

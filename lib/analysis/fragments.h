@@ -30,4 +30,24 @@ struct Fragments {
 //     reach    m, > 0
 Fragments label_fragments(std::span<const float> points, std::span<const std::uint8_t> intact, double reach);
 
+// Joins the fragments that hold a particle of `rear` (0 or 1 per particle), for what is connected to the rear
+// belongs together whatever failed there (calving.h), into the one that comes first; the others are left
+// with size 0. Returns its label, `none` without such a particle.
+std::uint32_t join_fragments(std::span<const std::uint8_t> rear, Fragments& fragments);
+
+// Takes out the fragments of less than `least` in volume: their particles are in none, their size is 0.
+// `kept` stays whatever its volume.
+void drop_crumbs(std::span<const float> volume, double least, std::uint32_t kept, Fragments& fragments);
+
+// The particles of each fragment, rising: those of fragment f are particles[first[f]] to
+// particles[first[f + 1] - 1]. Not those of `left_out`.
+struct FragmentMembers {
+    std::vector<std::uint32_t> particles, first;
+
+    std::span<const std::uint32_t> of(std::uint32_t fragment) const {
+        return {particles.begin() + first[fragment], particles.begin() + first[fragment + 1]};
+    }
+};
+FragmentMembers collect_members(const Fragments& fragments, std::uint32_t left_out = Fragments::none);
+
 }  // namespace tidewater::analysis

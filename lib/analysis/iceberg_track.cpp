@@ -1,18 +1,17 @@
 #include "analysis/iceberg_track.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
-#include <numeric>
 #include <tuple>
+#include <unordered_map>
+#include <utility>
 
 #include "analysis/fragments.h"
 
 namespace tidewater::analysis {
 namespace {
+
+using Kind = IcebergEvent::Kind;
 
 constexpr std::uint32_t none = IcebergEvent::none;
 
@@ -20,57 +19,83 @@ constexpr std::uint32_t none = IcebergEvent::none;
 struct Overlap {
     std::uint32_t iceberg, label;
     double volume;
-    std::uint64_t lowest;  // particle id
+    std::uint32_t lowest;  // particle id
 };
 
-// One intact particle of the frame.
+// One particle of a fragment.
 struct Piece {
-    std::uint64_t id;
-    std::uint32_t label;
+    std::uint32_t id, label;
     float volume;
 };
 
 std::vector<Piece> pieces_by_id(const FragmentFrame& frame) {
+    const auto in_fragment = [](std::uint32_t label) { return label != Fragments::none; };
     std::vector<Piece> pieces;
+    pieces.reserve(static_cast<std::size_t>(std::ranges::count_if(frame.label, in_fragment)));
     for (std::size_t i = 0; i < frame.id.size(); ++i) {
-        if (frame.label[i] != Fragments::none)
-            pieces.push_back({frame.id[i], frame.label[i], frame.volume[i]});
+        if (in_fragment(frame.label[i])) pieces.push_back({frame.id[i], frame.label[i], frame.volume[i]});
     }
     std::ranges::sort(pieces, {}, &Piece::id);
     return pieces;
 }
 
 // The largest first. Both lists are sorted by particle id, in which order volumes are summed.
-std::vector<Overlap> find_overlaps(std::span<const Piece> pieces, const IcebergTracks& tracks) {
+std::vector<Overlap> find_overlaps(std::span<const Piece> pieces, std::span<const IcebergMember> members) {
     std::vector<Overlap> overlaps;
-    auto before = tracks.members.begin();
+    std::unordered_map<std::uint64_t, std::size_t> place;  // of each pair in overlaps
+    auto before = members.begin();
     for (const Piece& piece : pieces) {
-        while (before != tracks.members.end() && before->first < piece.id) ++before;
-        if (before == tracks.members.end()) break;
-        if (before->first == piece.id) {
-            overlaps.push_back({before->second, piece.label, piece.volume, piece.id});
-        }
+        while (before != members.end() && before->particle < piece.id) ++before;
+        if (before == members.end()) break;
+        if (before->particle != piece.id) continue;
+        const std::uint64_t pair = std::uint64_t{before->iceberg} << 32 | piece.label;
+        const auto [at, is_new] = place.try_emplace(pair, overlaps.size());
+        if (is_new) overlaps.push_back({before->iceberg, piece.label, 0.0, piece.id});
+        overlaps[at->second].volume += piece.volume;
     }
-    std::ranges::stable_sort(overlaps, {}, [](const Overlap& o) { return std::pair(o.iceberg, o.label); });
-    std::size_t count = 0;
-    for (const Overlap& o : overlaps) {
-        const bool same =
-            count > 0 && overlaps[count - 1].iceberg == o.iceberg && overlaps[count - 1].label == o.label;
-        if (same) {
-            overlaps[count - 1].volume += o.volume;
-        } else {
-            overlaps[count++] = o;
-        }
-    }
-    overlaps.resize(count);
     std::ranges::sort(overlaps, {}, [](const Overlap& o) { return std::pair(-o.volume, o.lowest); });
     return overlaps;
 }
 
-std::uint32_t label_count(std::span<const Piece> pieces) {
-    std::uint32_t count = 0;
-    for (const Piece& piece : pieces) count = std::max(count, piece.label + 1);
-    return count;
+// The icebergs of the frame before, rising.
+std::vector<std::uint32_t> icebergs_before(const IcebergTracks& tracks) {
+    std::vector<std::uint8_t> there(tracks.count, 0);
+    for (const IcebergMember& member : tracks.members) there[member.iceberg] = 1;
+    std::vector<std::uint32_t> icebergs;
+    for (std::uint32_t i = 0; i < tracks.count; ++i) {
+        if (there[i]) icebergs.push_back(i);
+    }
+    return icebergs;
+}
+
+// How the icebergs of the frame before and the fragments of this one belong together; by label or iceberg.
+struct Partners {
+    std::vector<std::uint32_t> iceberg;     // that each label goes on as
+    std::vector<std::uint32_t> parent;      // that each label has most of
+    std::vector<const Overlap*> successor;  // with the label that has most of each iceberg
+    std::vector<std::uint8_t> kept;         // whether the iceberg goes on
+};
+
+Partners find_partners(std::span<const Overlap> overlaps, std::uint32_t labels, std::uint32_t icebergs,
+                       std::uint32_t glacier) {
+    Partners partners{std::vector(labels, none), std::vector(labels, none),
+                      std::vector<const Overlap*>(icebergs, nullptr), std::vector<std::uint8_t>(icebergs, 0)};
+    partners.kept[glacier_id] = 1;
+    if (glacier != none) partners.iceberg[glacier] = glacier_id;
+    for (const Overlap& o : overlaps) {
+        if (partners.parent[o.label] == none) partners.parent[o.label] = o.iceberg;
+        if (!partners.successor[o.iceberg]) partners.successor[o.iceberg] = &o;
+        if (partners.iceberg[o.label] != none || partners.kept[o.iceberg]) continue;
+        partners.iceberg[o.label] = o.iceberg;
+        partners.kept[o.iceberg] = 1;
+    }
+    return partners;
+}
+
+std::vector<double> label_volumes(std::span<const Piece> pieces, std::uint32_t labels) {
+    std::vector<double> volumes(labels, 0.0);
+    for (const Piece& piece : pieces) volumes[piece.label] += piece.volume;
+    return volumes;
 }
 
 }  // namespace
@@ -78,99 +103,30 @@ std::uint32_t label_count(std::span<const Piece> pieces) {
 std::vector<std::uint32_t> follow_icebergs(const FragmentFrame& frame, IcebergTracks& tracks) {
     assert(frame.id.size() == frame.label.size() && frame.id.size() == frame.volume.size());
     const std::vector<Piece> pieces = pieces_by_id(frame);
-    const std::vector<Overlap> overlaps = find_overlaps(pieces, tracks);
-    std::vector<std::uint32_t> iceberg(label_count(pieces), none);
-    std::vector<std::uint32_t> parent(iceberg.size(), none);
-    std::vector<std::uint32_t> goes_on(tracks.count, none);  // the label that has most of each old iceberg
-    std::vector<std::uint8_t> kept(tracks.count, 0);
-    for (const Overlap& o : overlaps) {
-        if (parent[o.label] == none) parent[o.label] = o.iceberg;
-        if (goes_on[o.iceberg] == none) goes_on[o.iceberg] = o.label;
-        if (iceberg[o.label] != none || kept[o.iceberg]) continue;
-        iceberg[o.label] = o.iceberg;
-        kept[o.iceberg] = 1;
-    }
-    std::vector<std::uint32_t> old;
-    for (const auto& member : tracks.members) old.push_back(member.second);
-    std::ranges::sort(old);
-    const auto repeated = std::ranges::unique(old);
-    old.erase(repeated.begin(), repeated.end());
+    const std::vector<Overlap> overlaps = find_overlaps(pieces, tracks.members);
+    std::uint32_t labels = frame.glacier == none ? 0 : frame.glacier + 1;
+    for (const Piece& piece : pieces) labels = std::max(labels, piece.label + 1);
+    Partners partners = find_partners(overlaps, labels, tracks.count, frame.glacier);
 
-    using Kind = IcebergEvent::Kind;
-    std::vector<IcebergEvent> births;
-    for (const Piece& piece : pieces) {  // by particle id
-        if (iceberg[piece.label] != none) continue;
-        iceberg[piece.label] = tracks.count++;
-        births.push_back({frame.time, Kind::split, iceberg[piece.label], parent[piece.label]});
+    tracks.events.clear();
+    for (const std::uint32_t before : icebergs_before(tracks)) {
+        if (partners.kept[before]) continue;
+        const Overlap* into = partners.successor[before];
+        tracks.events.push_back({frame.time, into ? Kind::merge : Kind::gone, before,
+                                 into ? partners.iceberg[into->label] : none, into ? into->volume : 0.0});
     }
-    for (const std::uint32_t o : old) {
-        if (kept[o]) continue;
-        const bool merged = goes_on[o] != none;
+    const std::vector<double> volumes = label_volumes(pieces, labels);
+    for (const Piece& piece : pieces) {
+        std::uint32_t& iceberg = partners.iceberg[piece.label];
+        if (iceberg != none) continue;
+        iceberg = tracks.count++;
         tracks.events.push_back(
-            {frame.time, merged ? Kind::merge : Kind::gone, o, merged ? iceberg[goes_on[o]] : none});
+            {frame.time, Kind::split, iceberg, partners.parent[piece.label], volumes[piece.label]});
     }
-    tracks.events.insert(tracks.events.end(), births.begin(), births.end());
     tracks.members.clear();
-    for (const Piece& piece : pieces) tracks.members.emplace_back(piece.id, iceberg[piece.label]);
-    return iceberg;
-}
-
-IcebergState describe_iceberg(const IcebergParticles& particles, std::span<const std::uint32_t> members,
-                              int dimension, double spacing, double still_level) {
-    assert(!members.empty() && (dimension == 2 || dimension == 3));
-    const auto vector = [](std::span<const float> values, std::uint32_t p) -> Eigen::Vector3d {
-        return Eigen::Vector3f(values[3 * p], values[3 * p + 1], values[3 * p + 2]).cast<double>();
-    };
-    IcebergState state;
-    for (const std::uint32_t p : members) {
-        const double volume = particles.volume[p];
-        state.volume += volume;
-        state.centroid += volume * vector(particles.points, p);
-        state.velocity += volume * vector(particles.velocity, p);
-    }
-    state.centroid /= state.volume;
-    state.velocity /= state.volume;
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  // ∫ r rᵀ dV
-    Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
-    double low = INFINITY, high = -INFINITY;
-    for (const std::uint32_t p : members) {
-        const double volume = particles.volume[p];
-        const Eigen::Vector3d r = vector(particles.points, p) - state.centroid;
-        spread += volume * r * r.transpose();
-        momentum += volume * r.cross(vector(particles.velocity, p) - state.velocity);
-        low = std::min(low, state.centroid[2] + r[2]);
-        high = std::max(high, state.centroid[2] + r[2]);
-    }
-    state.draft = still_level - (low - 0.5 * spacing);
-    state.freeboard = high + 0.5 * spacing - still_level;
-    if (dimension == 2) momentum = {0.0, momentum[1], 0.0};
-    const Eigen::Matrix3d inertia = spread.trace() * Eigen::Matrix3d::Identity() - spread;
-    state.rotation = inertia.completeOrthogonalDecomposition().solve(momentum);
-
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(spread);
-    std::array<double, 3> edge{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const Eigen::Vector3d along = principal.eigenvectors().col(axis);
-        double least = INFINITY, greatest = -INFINITY;
-        for (const std::uint32_t p : members) {
-            const double place = along.dot(vector(particles.points, p) - state.centroid);
-            least = std::min(least, place);
-            greatest = std::max(greatest, place);
-        }
-        const bool across = dimension == 2 && std::abs(along[1]) > 0.5;
-        edge[static_cast<std::size_t>(axis)] = across ? -1.0 : greatest - least + spacing;
-    }
-    std::array<int, 3> order{0, 1, 2};
-    std::ranges::stable_sort(order, std::ranges::greater(),
-                             [&](int axis) { return edge[static_cast<std::size_t>(axis)]; });
-    if (dimension == 2) std::swap(order[1], order[2]);  // the axis across the slice is the width's
-    for (int k = 0; k < 3; ++k)
-        state.axes.col(k) = principal.eigenvectors().col(order[static_cast<std::size_t>(k)]);
-    const auto size = [&](std::size_t k) { return std::max(0.0, edge[static_cast<std::size_t>(order[k])]); };
-    state.length = size(0);
-    state.width = size(1);
-    state.height = size(2);
-    return state;
+    tracks.members.reserve(pieces.size());
+    for (const Piece& piece : pieces) tracks.members.push_back({piece.id, partners.iceberg[piece.label]});
+    return partners.iceberg;
 }
 
 }  // namespace tidewater::analysis

@@ -303,6 +303,16 @@ std::vector<double> draw_sizes(const SizeFit& fit, double smallest, std::size_t 
     return drawn;
 }
 
+double modelled_exceedance(const SizeFit& fit, double smallest, double size) {
+    const double decay = std::exp((smallest - size) / fit.cutoff);
+    if (fit.model == SizeModel::exponential) return decay;
+    const double power = std::pow(size / smallest, 1.0 - fit.exponent);
+    if (fit.model == SizeModel::power_law) return power;
+    if (std::isnan(fit.exponent) || std::isnan(fit.cutoff)) return none;
+    return power * decay * moments(fit.exponent, size / fit.cutoff).integral /
+           moments(fit.exponent, smallest / fit.cutoff).integral;
+}
+
 SizeDistribution fit_sizes(std::span<const double> sizes, const SizeSettings& settings) {
     SizeDistribution all;
     const std::vector<double> sorted = sorted_sizes(sizes);

@@ -10,8 +10,8 @@
 //
 // s_min, where not given, is the size from which the power law's Kolmogorov–Smirnov distance is least, of up
 // to 100 candidates evenly spread in rank that leave at least 10 fragments. All models use the same s_min.
-// The choice scatters upward: where 1000 sizes of a power law from 5 on lie above 300 even ones, the median of
-// 100 sets is 5.2, a tenth lies above 11.4, and the exponent's interval still holds 94 of 100.
+// The choice scatters upward: where 1000 sizes of a power law from 5 on lie above 300 even ones, the median
+// of 100 sets is 5.2, a tenth lies above 11.4, and the exponent's interval still holds 94 of 100.
 //
 // Intervals hold 95 %, from the observed information: a ± 1.96 (a − 1)/√n, s_c exp(± 1.96/√n) of the
 // exponential; of the truncated law from the matrix of (a, ln s_c). They take s_min as known.
@@ -103,6 +103,10 @@ struct SizeDistribution {
 
 // Of fewer than two different sizes ≥ s_min no fit.
 SizeDistribution fit_sizes(std::span<const double> sizes, const SizeSettings& settings = {});
+
+// The share of sizes >= smallest that are at least `size` >= smallest, by a model with the exponent and
+// cut-off of `fit`; NaN without.
+double modelled_exceedance(const SizeFit& fit, double smallest, double size);
 
 // Size of rank u in [0, 1) of a model with the exponent and cut-off of `fit`, s_min = smallest: for drawing.
 std::vector<double> draw_sizes(const SizeFit& fit, double smallest, std::size_t count, std::uint64_t seed,

@@ -110,6 +110,13 @@ Color mixed(Color from, Color to, double share) {
 
 Color damage_color(double share) { return mixed(palette::ice, palette::failed_ice, share); }
 
+Color iceberg_color(std::size_t iceberg) {
+    constexpr std::array<Color, iceberg_color_count> colors{Color{204, 51, 17}, Color{240, 228, 66},
+                                                            Color{140, 60, 220}, Color{238, 136, 102},
+                                                            Color{255, 170, 187}};
+    return colors[(iceberg + colors.size() - 1) % colors.size()];
+}
+
 Color shaded(Color color, double factor) {
     const auto part = [&](std::uint8_t value) {
         const double light =

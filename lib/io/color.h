@@ -43,6 +43,11 @@ Color diverging_color(double value);
 // Where failed ice is as dark as water at scale_color, it is grey and the water is not.
 Color damage_color(double share);
 
+// Of the iceberg with this number, from 1 on: five colours in turn that are neither ice nor, at rest, water,
+// and differ by at least 0.1 in OKLab also to people with protanopia and deuteranopia.
+Color iceberg_color(std::size_t iceberg);
+inline constexpr std::size_t iceberg_color_count = 5;
+
 // From one colour to the other in equal steps, as distances in OKLab; share from 0 to 1, clamped.
 Color mixed(Color from, Color to, double share);
 

@@ -45,6 +45,18 @@ H5T_class_t attribute_class(const Hdf5Handle& attribute) {
     return H5Tget_class(type.id());
 }
 
+std::size_t value_count(const Hdf5Handle& attribute) {
+    const Hdf5Handle space(H5Aget_space(attribute.id()));
+    return static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space.id()), 0));
+}
+
+// Of the n-th link in a group, in the order of the alphabet.
+std::string link_name(const Hdf5Handle& group, hsize_t n) {
+    std::array<char, 256> name{};
+    H5Lget_name_by_idx(group.id(), ".", H5_INDEX_NAME, H5_ITER_INC, n, name.data(), name.size(), H5P_DEFAULT);
+    return name.data();
+}
+
 }  // namespace
 
 Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
@@ -187,15 +199,18 @@ Hdf5Handle Hdf5Reader::open_attribute(const std::string& object, const std::stri
     const QuietHdf5 quiet;
     Hdf5Handle found(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
     if (!found.valid()) fail("attribute " + name + " is missing");
-    const Hdf5Handle space(H5Aget_space(found.id()));
-    if (H5Sget_simple_extent_npoints(space.id()) != 1) {
+    return found;
+}
+
+Hdf5Handle Hdf5Reader::open_one_value(const std::string& object, const std::string& name) const {
+    Hdf5Handle found = open_attribute(object, name);
+    if (value_count(found) != 1)
         fail("attribute " + name + " does not hold one value; the file is of another program");
-    }
     return found;
 }
 
 double Hdf5Reader::number(const std::string& object, const std::string& name) const {
-    const Hdf5Handle found = open_attribute(object, name);
+    const Hdf5Handle found = open_one_value(object, name);
     const QuietHdf5 quiet;
     double value = 0.0;
     const H5T_class_t kind = attribute_class(found);
@@ -205,7 +220,7 @@ double Hdf5Reader::number(const std::string& object, const std::string& name) co
 }
 
 std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& name) const {
-    const Hdf5Handle found = open_attribute(object, name);
+    const Hdf5Handle found = open_one_value(object, name);
     const QuietHdf5 quiet;
     std::int64_t value = 0;
     if (attribute_class(found) != H5T_INTEGER || H5Aread(found.id(), H5T_NATIVE_INT64, &value) < 0)
@@ -214,7 +229,7 @@ std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& n
 }
 
 std::string Hdf5Reader::text(const std::string& object, const std::string& name) const {
-    const Hdf5Handle found = open_attribute(object, name);
+    const Hdf5Handle found = open_one_value(object, name);
     const QuietHdf5 quiet;
     const Hdf5Handle type(H5Aget_type(found.id()));
     if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0) {
@@ -225,9 +240,38 @@ std::string Hdf5Reader::text(const std::string& object, const std::string& name)
     return value.substr(0, value.find('\0'));
 }
 
+std::vector<std::int64_t> Hdf5Reader::integers(const std::string& object, const std::string& name) const {
+    const Hdf5Handle found = open_attribute(object, name);
+    const QuietHdf5 quiet;
+    std::vector<std::int64_t> values(value_count(found));
+    if (attribute_class(found) != H5T_INTEGER || H5Aread(found.id(), H5T_NATIVE_INT64, values.data()) < 0)
+        fail("attribute " + name + " holds no integers");
+    return values;
+}
+
 bool Hdf5Reader::has_array(const std::string& name) const {
     const QuietHdf5 quiet;
     return H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> Hdf5Reader::array_names(const std::string& group) const {
+    const QuietHdf5 quiet;
+    std::vector<std::string> names;
+    const Hdf5Handle found(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT));
+    H5G_info_t info{};
+    if (!found.valid() || H5Gget_info(found.id(), &info) < 0) return names;
+    for (hsize_t n = 0; n < info.nlinks; ++n) names.push_back(link_name(found, n));
+    return names;
+}
+
+std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
+    const QuietHdf5 quiet;
+    const Hdf5Handle found(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT));
+    if (!found.valid()) fail("array " + name + " is missing");
+    const Hdf5Handle space(H5Dget_space(found.id()));
+    std::vector<hsize_t> lengths(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.id())));
+    H5Sget_simple_extent_dims(space.id(), lengths.data(), nullptr);
+    return {lengths.begin(), lengths.end()};
 }
 
 Hdf5Handle Hdf5Reader::open_array(const std::string& name, int components, std::size_t& count) const {

@@ -104,9 +104,15 @@ public:
     double number(const std::string& object, const std::string& name) const;
     std::int64_t integer(const std::string& object, const std::string& name) const;
     std::string text(const std::string& object, const std::string& name) const;
+    // An attribute of any number of integers.
+    std::vector<std::int64_t> integers(const std::string& object, const std::string& name) const;
 
     // The groups above it must be there.
     bool has_array(const std::string& name) const;
+    // The names of the arrays in a group, in the order of the alphabet; none without the group.
+    std::vector<std::string> array_names(const std::string& group) const;
+    // How long the array is along each of its axes.
+    std::vector<std::size_t> shape(const std::string& name) const;
     // The array's values, row by row; its shape must be as `components` says (see Hdf5Writer::array).
     template <class T>
     std::vector<T> array(const std::string& name, int components = 0) const;
@@ -123,6 +129,7 @@ public:
 
 private:
     Hdf5Handle open_attribute(const std::string& object, const std::string& name) const;
+    Hdf5Handle open_one_value(const std::string& object, const std::string& name) const;
     Hdf5Handle open_array(const std::string& name, int components, std::size_t& count) const;
     void require_type(const Hdf5Handle& array, hid_t type, const std::string& name) const;
     void read_array(const Hdf5Handle& array, hid_t type, const std::string& name, void* to) const;

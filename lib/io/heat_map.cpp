@@ -63,8 +63,7 @@ Canvas cells(const HeatMap& map, double greatest, const ChartFrame& frame) {
     return canvas;
 }
 
-std::string draw_color_bar(const HeatMap& map, double greatest, const ChartFrame& frame,
-                           const Provenance& provenance) {
+std::string draw_color_bar(const HeatMap& map, double greatest, const ChartFrame& frame) {
     constexpr int steps = 256;
     const bool diverging = map.scale == HeatScale::diverging;
     const ChartAxis axis{diverging ? -greatest : 0.0, greatest};
@@ -74,7 +73,7 @@ std::string draw_color_bar(const HeatMap& map, double greatest, const ChartFrame
         canvas.blend(0, steps - 1 - i, cell_color(map, greatest, value));
     }
     const double left = frame.right + bar_gap, right = left + bar_width;
-    std::string svg = svg_image(left, frame.top, right, frame.bottom, canvas.png(provenance));
+    std::string svg = svg_image(left, frame.top, right, frame.bottom, canvas.png());
     svg += svg_rectangle(left, frame.top, right, frame.bottom, svg_stroke(palette::ink, 1.0));
     const Ticks ticks = axis.ticks(std::max(2, static_cast<int>((frame.bottom - frame.top) / 30)));
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
@@ -101,13 +100,12 @@ std::string draw_heat_map(const HeatMap& map, const Provenance& provenance) {
                            {map.left, map.right}, {map.bottom, map.top}};
     std::string svg = svg_text(margin_left, 28, "start", map.title, "font-size=\"16\"") + legend.svg;
     if (!map.values.empty())
-        svg += svg_image(frame.left, frame.top, frame.right, frame.bottom,
-                         cells(map, greatest, frame).png(provenance));
+        svg += svg_image(frame.left, frame.top, frame.right, frame.bottom, cells(map, greatest, frame).png());
     std::string lines;
     for (const ChartLine& line : map.lines) lines += draw_line(frame, line, true);
     svg += svg_clipped(frame.left, frame.top, frame.right, frame.bottom, lines);
     svg += draw_frame(frame, map.x_label, map.y_label, false);
-    svg += draw_color_bar(map, greatest, frame, provenance);
+    svg += draw_color_bar(map, greatest, frame);
     return svg_file(map.width, frame.bottom + margin_bottom, svg, provenance);
 }
 

@@ -3,9 +3,10 @@
 //
 // The root has the attributes format, format_version, time (s), given (how many iceberg ids were given so
 // far) and the provenance; the arrays are /particle (ids of snapshots, rising) and /iceberg, one entry per
-// particle that is in the glacier (0) or in an iceberg; /front, x of the glacier's front in m in rows a
-// particle spacing wide (NaN: none), and /front_row, the number of its first row along y. Arrays carry
-// checksums; equal members with equal provenance are equal bytes.
+// particle that is in the glacier (0) or in an iceberg; /front, how far the glacier reaches in x, measured
+// where its particles were in the first frame, in rows a particle spacing wide (m; NaN: not at all), and
+// /front_row, the number of its first row along y. Arrays carry checksums; equal members with equal
+// provenance are equal bytes.
 //
 // Test: tests/unit/io/members_file_test.cpp
 #pragma once
@@ -25,7 +26,7 @@ struct Members {
     std::uint32_t given = 0;              // iceberg ids, from 0 on
     std::vector<std::uint32_t> particle;  // id, rising
     std::vector<std::uint32_t> iceberg;   // of each
-    std::vector<double> front;            // m
+    std::vector<double> front;            // x, m
     std::int64_t front_row = 0;
 };
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/canvas.h"
+#include "io/drawing.h"
 
 namespace tidewater::io {
 
@@ -20,6 +20,6 @@ struct Panel {
 
 // Frame, ticks, their numbers and the labels; `unit` as in pictures, one pixel of a page 1600 wide. The
 // numbers and the label below take 60 units, those to the left 84.
-void draw_axes(Canvas& canvas, const Panel& panel, double unit);
+void draw_axes(Drawing& drawing, const Panel& panel, double unit);
 
 }  // namespace tidewater::io

@@ -1,24 +1,15 @@
-// One frame as an annotated picture: water coloured by speed, ice by damage, blocks, the still-water level,
-// gauges, axes in m.
+// One frame as an annotated picture: water coloured by speed, ice by damage or by iceberg, blocks, the
+// still-water level, gauges, axes and a scale bar in m, the time and a legend.
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "io/canvas.h"
+#include "io/drawing.h"
+#include "io/particle_image.h"
 
 namespace tidewater::io {
-
-// Flat arrays as in Snapshot.
-struct PictureParticles {
-    std::span<const float> points;           // m, (x, y, z) per particle
-    std::span<const float> velocity;         // m/s, (x, y, z) per particle
-    std::span<const std::uint8_t> material;  // numbers of core's Material
-    std::span<const float> damage = {};      // empty: ice is drawn as intact
-};
 
 struct PictureSettings {
     int dimension = 2;
@@ -35,10 +26,9 @@ struct PictureSettings {
     int width = 1600;  // pixels, at least 400; the height follows from the part that is shown
 };
 
-// Water is coloured by its speed, ice by its damage, rigid blocks by their own colour; both have a dark
-// outline. 2D: the x-z
-// plane. 3D: a parallel projection from the front, right and above, with shading. The same particles give the
-// same picture. In 2D what lies outside of `low` to `high` is cut off; in 3D nothing should.
-Canvas draw_picture(const PictureParticles& particles, const PictureSettings& settings);
+// 2D: the x-z plane, cut off at `low` and `high`. 3D: a parallel projection from the front, right and above,
+// with shading; nothing should be outside of `low` to `high`. The twelve icebergs of most particles have
+// their numbers on them. The same particles give the same picture.
+Drawing draw_picture(const PictureParticles& particles, const PictureSettings& settings);
 
 }  // namespace tidewater::io

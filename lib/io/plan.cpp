@@ -73,10 +73,7 @@ Range range_of(const View& view, double still_level) {
 // Of the depths at which contours lie.
 Ticks contours_of(const Range& range) { return make_ticks(0.0, std::max(range.greatest_depth, 1e-9), 10); }
 
-void draw_surfaces(Canvas& canvas, const Panel& panel, const View& view, const Range& range,
-                   double still_level) {
-    const auto left = static_cast<int>(std::lround(panel.low.x)),
-               upper = static_cast<int>(std::lround(panel.low.y));
+void draw_surfaces(Canvas& canvas, const View& view, const Range& range, double still_level) {
     const Ticks contours = contours_of(range);
     const double step = contours.values.size() > 1 ? contours.values[1] - contours.values[0] : 1.0;
     const auto band = [&](int column, int row) { return std::floor(view.depth(column, row) / step); };
@@ -97,7 +94,7 @@ void draw_surfaces(Canvas& canvas, const Panel& panel, const View& view, const R
                         ice_height_color((top.height - still_level) / std::max(range.greatest_height, 1e-9));
                 color = shaded(color, light(view, column, row));
             }
-            canvas.blend(left + column, upper + row, color);
+            canvas.blend(column, row, color);
         }
     }
 }
@@ -126,8 +123,9 @@ std::vector<std::uint8_t> open_water(const View& view) {
     });
 }
 
-void draw_front(Canvas& canvas, const Panel& panel, const View& view, double unit) {
+void draw_front(Canvas& canvas, const View& view, double unit) {
     const auto open = open_water(view);
+    const auto reach = static_cast<int>(std::lround(1.3 * unit));
     for (int row = 0; row < view.rows; ++row) {
         for (int column = 0; column < view.columns; ++column) {
             if (!view.is(Substance::ice, column, row)) continue;
@@ -137,9 +135,9 @@ void draw_front(Canvas& canvas, const Panel& panel, const View& view, double uni
             if (!meets(column - 1, row) && !meets(column + 1, row) && !meets(column, row - 1) &&
                 !meets(column, row + 1))
                 continue;
-            const Pixel at{panel.low.x + column + 0.5, panel.low.y + row + 0.5};
-            canvas.rectangle({at.x - 1.3 * unit, at.y - 1.3 * unit}, {at.x + 1.3 * unit, at.y + 1.3 * unit},
-                             front_color);
+            for (int j = row - reach; j <= row + reach; ++j) {
+                for (int i = column - reach; i <= column + reach; ++i) canvas.blend(i, j, front_color);
+            }
         }
     }
 }
@@ -150,44 +148,44 @@ double bar_height(const Panel& panel, double unit) {
 
 // `lines` are the values of contours.
 template <class ColorOf>
-void draw_bar(Canvas& canvas, Pixel corner, double height, double unit, const std::string& title,
+void draw_bar(Drawing& drawing, Pixel corner, double height, double unit, const std::string& title,
               double greatest, const ColorOf& color, const std::vector<double>& lines) {
     const double u = unit, letters = std::max(17.0 * u, 9.0), width = 26 * u;
-    canvas.text({corner.x, corner.y + 8 * u}, Align::left, letters, title);
+    drawing.text({corner.x, corner.y + 8 * u}, Align::left, letters, title);
     const double top = corner.y + 28 * u, bottom = top + height;
     const auto place = [&](double value) { return bottom - height * value / greatest; };
-    canvas.rectangle({corner.x - 1.5 * u, top - 1.5 * u}, {corner.x + width + 1.5 * u, bottom + 1.5 * u},
-                     palette::ink);
-    for (double y = top; y < bottom; y += 1.0) {
-        canvas.rectangle({corner.x, y}, {corner.x + width, bottom}, color((bottom - y) / height));
-    }
+    drawing.rectangle({corner.x - 1.5 * u, top - 1.5 * u}, {corner.x + width + 1.5 * u, bottom + 1.5 * u},
+                      palette::ink);
+    drawing.color_bar({corner.x, top}, {corner.x + width, bottom}, color, true);
     for (const double value : lines)
-        canvas.line({corner.x, place(value)}, {corner.x + width, place(value)}, u,
-                    shaded(color(value / greatest), 0.6));
+        drawing.line({corner.x, place(value)}, {corner.x + width, place(value)}, u,
+                     shaded(color(value / greatest), 0.6));
     const Ticks ticks = make_ticks(0.0, greatest, std::max(2, static_cast<int>(height / (27 * u))));
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         const double y = place(ticks.values[i]);
-        canvas.line({corner.x + width, y}, {corner.x + width + 6 * u, y}, 1.5 * u, palette::ink);
-        canvas.text({corner.x + width + 11 * u, y}, Align::left, letters, ticks.labels[i]);
+        drawing.line({corner.x + width, y}, {corner.x + width + 6 * u, y}, 1.5 * u, palette::ink);
+        drawing.text({corner.x + width + 11 * u, y}, Align::left, letters, ticks.labels[i]);
     }
 }
 
 }  // namespace
 
-void draw_plan(Canvas& canvas, const Panel& panel, const std::function<Top(double, double)>& top,
+void draw_plan(Drawing& drawing, const Panel& panel, const std::function<Top(double, double)>& top,
                double still_level, double unit) {
     const View view = look_down(panel, top);
     const Range range = range_of(view, still_level);
-    draw_surfaces(canvas, panel, view, range, still_level);
-    draw_front(canvas, panel, view, unit);
+    Canvas canvas(view.columns, view.rows);
+    draw_surfaces(canvas, view, range, still_level);
+    draw_front(canvas, view, unit);
+    drawing.image(canvas, panel.low);
     Pixel corner{panel.high.x + 26 * unit, panel.low.y};
     if (range.greatest_height > 0.0) {
-        draw_bar(canvas, corner, bar_height(panel, unit), unit, "ice above water (m)", range.greatest_height,
+        draw_bar(drawing, corner, bar_height(panel, unit), unit, "ice above water (m)", range.greatest_height,
                  ice_height_color, {});
         corner.y += bar_height(panel, unit) + 70 * unit;
     }
     if (range.greatest_depth > 0.0) {
-        draw_bar(canvas, corner, bar_height(panel, unit), unit, "water depth (m)", range.greatest_depth,
+        draw_bar(drawing, corner, bar_height(panel, unit), unit, "water depth (m)", range.greatest_depth,
                  depth_color, contours_of(range).values);
     }
 }

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "io/canvas.h"
+#include "io/drawing.h"
 #include "io/panel.h"
 #include "io/substance.h"
 
@@ -20,7 +20,7 @@ struct Top {
 // land are shaded as by light from the upper left; ice is coloured by its height above `still_level`, water
 // by its depth, with up to ten contours that its colour bar shows too. The front is drawn where ice meets
 // open water: water in cracks and crevasses less than 9 pixels wide is not open. `unit` as for draw_axes.
-void draw_plan(Canvas& canvas, const Panel& panel, const std::function<Top(double x, double y)>& top,
+void draw_plan(Drawing& drawing, const Panel& panel, const std::function<Top(double x, double y)>& top,
                double still_level, double unit);
 
 // How far the colour bars reach below the panel's upper side, in pixels.

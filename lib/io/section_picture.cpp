@@ -106,9 +106,8 @@ Samples take_samples(const SectionSettings& settings, const Panel& panel) {
     return taken;
 }
 
-void draw_substances(Canvas& canvas, const Samples& taken, const Panel& panel) {
-    const int left = static_cast<int>(std::lround(panel.low.x)),
-              top = static_cast<int>(std::lround(panel.low.y));
+void draw_substances(Drawing& drawing, const Samples& taken, const Panel& panel) {
+    Canvas canvas(taken.columns / samples, taken.rows / samples);
     for (int y = 0; y < taken.rows / samples; ++y) {
         for (int x = 0; x < taken.columns / samples; ++x) {
             double red = 0.0, green = 0.0, blue = 0.0;
@@ -121,40 +120,41 @@ void draw_substances(Canvas& canvas, const Samples& taken, const Panel& panel) {
             const auto mean = [](double sum) {
                 return static_cast<std::uint8_t>(std::lround(sum / (samples * samples)));
             };
-            canvas.blend(left + x, top + y, {mean(red), mean(green), mean(blue)});
+            canvas.blend(x, y, {mean(red), mean(green), mean(blue)});
         }
     }
+    drawing.image(canvas, panel.low);
 }
 
-void draw_still_level(Canvas& canvas, const SectionSettings& settings, const Page& page) {
+void draw_still_level(Drawing& drawing, const SectionSettings& settings, const Page& page) {
     const double level = settings.still_level, u = page.unit;
     if (!(level >= settings.low[2] && level <= settings.high[2])) return;
     const Pixel from = page.section.at(settings.low[0], level), to = page.section.at(settings.high[0], level);
-    canvas.line(from, to, 2.5 * u, palette::paper, 0.35);
-    canvas.dashed_line(from, to, 1.6 * u, 10 * u, 7 * u, palette::ink, 0.85);
+    drawing.line(from, to, 2.5 * u, palette::paper, 0.35);
+    drawing.dashed_line(from, to, 1.6 * u, 10 * u, 7 * u, palette::ink, 0.85);
 }
 
 // A line with a bar at both ends and its text on a light ground, to the left of the line where the page ends.
-void draw_measures(Canvas& canvas, const SectionSettings& settings, const Page& page) {
+void draw_measures(Drawing& drawing, const SectionSettings& settings, const Page& page) {
     const double u = page.unit, size = 0.9 * page.letters;
     for (const Measure& measure : settings.measures) {
         const Pixel top = page.section.at(measure.x, measure.high),
                     bottom = page.section.at(measure.x, measure.low);
-        canvas.line(top, bottom, 4.5 * u, palette::paper, 0.7);
-        canvas.line(top, bottom, 2 * u, line_color(1));
+        drawing.line(top, bottom, 4.5 * u, palette::paper, 0.7);
+        drawing.line(top, bottom, 2 * u, line_color(1));
         for (const Pixel& end : {top, bottom})
-            canvas.line({end.x - 7 * u, end.y}, {end.x + 7 * u, end.y}, 2 * u, line_color(1));
+            drawing.line({end.x - 7 * u, end.y}, {end.x + 7 * u, end.y}, 2 * u, line_color(1));
         const double width = text_width(size, measure.text) + 14 * u, middle = 0.5 * (top.y + bottom.y);
         const bool fits = top.x + 10 * u + width < page.section.high.x;
         const double left = fits ? top.x + 10 * u : top.x - 10 * u - width;
-        canvas.rectangle({left, middle - 0.7 * size}, {left + width, middle + 0.7 * size}, palette::paper,
-                         0.8);
-        canvas.text({left + 0.5 * width, middle}, Align::center, size, measure.text);
+        drawing.rectangle({left, middle - 0.7 * size}, {left + width, middle + 0.7 * size}, palette::paper,
+                          0.8);
+        drawing.text({left + 0.5 * width, middle}, Align::center, size, measure.text);
     }
 }
 
 // Above the section in 2D, in the plan in 3D; a name that would run into another is left out.
-void draw_gauges(Canvas& canvas, const SectionSettings& settings, const Page& page) {
+void draw_gauges(Drawing& drawing, const SectionSettings& settings, const Page& page) {
     const double u = page.unit, size = 0.9 * page.letters;
     if (settings.dimension == 3 && !page.has_plan) return;
     std::vector<std::array<double, 2>> gauges = settings.gauges;
@@ -167,14 +167,14 @@ void draw_gauges(Canvas& canvas, const SectionSettings& settings, const Page& pa
         Pixel tip = page.section.at(x, settings.high[2]);
         if (settings.dimension == 2) {
             if (std::isfinite(settings.still_level))
-                canvas.dashed_line(tip, page.section.at(x, settings.still_level), 1.2 * u, 3 * u, 4 * u,
-                                   palette::ink, 0.6);
+                drawing.dashed_line(tip, page.section.at(x, settings.still_level), 1.2 * u, 3 * u, 4 * u,
+                                    palette::ink, 0.6);
         } else {
             tip = page.plan.at(x, y);
-            canvas.triangle({tip.x - 9 * u, tip.y - 14 * u}, {tip.x + 9 * u, tip.y - 14 * u},
-                            {tip.x, tip.y + 3 * u}, palette::paper);
+            drawing.triangle({tip.x - 9 * u, tip.y - 14 * u}, {tip.x + 9 * u, tip.y - 14 * u},
+                             {tip.x, tip.y + 3 * u}, palette::paper);
         }
-        canvas.triangle({tip.x - 6 * u, tip.y - 11 * u}, {tip.x + 6 * u, tip.y - 11 * u}, tip, palette::ink);
+        drawing.triangle({tip.x - 6 * u, tip.y - 11 * u}, {tip.x + 6 * u, tip.y - 11 * u}, tip, palette::ink);
         const Pixel middle{tip.x, tip.y - 26 * u};
         const bool runs_into_another = std::ranges::any_of(named, [&](const Pixel& other) {
             return std::abs(other.x - middle.x) < 2.0 * half && std::abs(other.y - middle.y) < 1.2 * size;
@@ -182,61 +182,62 @@ void draw_gauges(Canvas& canvas, const SectionSettings& settings, const Page& pa
         if (runs_into_another) continue;
         named.push_back(middle);
         if (settings.dimension == 3)
-            canvas.rectangle({middle.x - half, middle.y - 10 * u}, {middle.x + half, middle.y + 9 * u},
-                             palette::paper, 0.75);
-        canvas.text(middle, Align::center, size, name);
+            drawing.rectangle({middle.x - half, middle.y - 10 * u}, {middle.x + half, middle.y + 9 * u},
+                              palette::paper, 0.75);
+        drawing.text(middle, Align::center, size, name);
     }
 }
 
-void draw_heading(Canvas& canvas, const SectionSettings& settings, const Page& page) {
+void draw_heading(Drawing& drawing, const SectionSettings& settings, const Page& page) {
     const double u = page.unit;
-    canvas.text({page.section.low.x, 30 * u}, Align::left, 1.25 * page.letters, settings.title);
+    drawing.text({page.section.low.x, 30 * u}, Align::left, 1.25 * page.letters, settings.title);
     std::string section =
         settings.dimension == 3 ? "section at y = " + format_number(settings.across) + " m" : "section";
     section += page.exaggeration == 1.0
                    ? ", heights to scale"
                    : ", heights " + format_number(page.exaggeration) + " times exaggerated";
-    canvas.text({page.section.high.x, page.section.low.y - 58 * u}, Align::right, 0.9 * page.letters,
-                section);
+    drawing.text({page.section.high.x, page.section.low.y - 58 * u}, Align::right, 0.9 * page.letters,
+                 section);
 }
 
 // The plan with what is drawn over it, and what its lines mean in a row above it.
-void draw_plan_panel(Canvas& canvas, const SectionSettings& settings, const Page& page) {
+void draw_plan_panel(Drawing& drawing, const SectionSettings& settings, const Page& page) {
     const double u = page.unit, size = 0.9 * page.letters, y = page.plan.low.y - 22 * u;
-    draw_plan(canvas, page.plan, settings.top, settings.still_level, u);
-    canvas.line(page.plan.at(settings.low[0], settings.across),
-                page.plan.at(settings.high[0], settings.across), 3 * u, palette::paper, 0.4);
-    canvas.dashed_line(page.plan.at(settings.low[0], settings.across),
-                       page.plan.at(settings.high[0], settings.across), 1.6 * u, 14 * u, 8 * u, palette::ink,
-                       0.8);
-    draw_axes(canvas, page.plan, u);
+    draw_plan(drawing, page.plan, settings.top, settings.still_level, u);
+    drawing.line(page.plan.at(settings.low[0], settings.across),
+                 page.plan.at(settings.high[0], settings.across), 3 * u, palette::paper, 0.4);
+    drawing.dashed_line(page.plan.at(settings.low[0], settings.across),
+                        page.plan.at(settings.high[0], settings.across), 1.6 * u, 14 * u, 8 * u, palette::ink,
+                        0.8);
+    draw_axes(drawing, page.plan, u);
     double x = page.plan.low.x + 14 * u;
-    canvas.line({x, y}, {x + 30 * u, y}, 3 * u, front_color);
-    canvas.text({x + 40 * u, y}, Align::left, size, "front");
+    drawing.line({x, y}, {x + 30 * u, y}, 3 * u, front_color);
+    drawing.text({x + 40 * u, y}, Align::left, size, "front");
     x += 40 * u + text_width(size, "front") + 30 * u;
-    canvas.dashed_line({x, y}, {x + 36 * u, y}, 1.6 * u, 14 * u, 8 * u, palette::ink);
-    canvas.text({x + 46 * u, y}, Align::left, size, "section");
-    canvas.text({page.plan.high.x, y}, Align::right, size, "plan, to the same scale along x");
+    drawing.dashed_line({x, y}, {x + 36 * u, y}, 1.6 * u, 14 * u, 8 * u, palette::ink);
+    drawing.text({x + 46 * u, y}, Align::left, size, "section");
+    drawing.text({page.plan.high.x, y}, Align::right, size, "plan, to the same scale along x");
 }
 
 // What of the scene is drawn, in a row below the title.
-void draw_legend(Canvas& canvas, const SectionSettings& settings, const Page& page, const Samples& seen) {
+void draw_legend(Drawing& drawing, const SectionSettings& settings, const Page& page, const Samples& seen) {
     const double u = page.unit, y = 66 * u, size = 0.9 * page.letters;
     double x = page.section.low.x;
     const auto name = [&](const std::string& text) {
-        canvas.text({x + 40 * u, y}, Align::left, size, text);
+        drawing.text({x + 40 * u, y}, Align::left, size, text);
         x += 40 * u + text_width(size, text) + 24 * u;
     };
     for (const auto& [substance, text] :
          {std::pair{Substance::ice, "ice"}, std::pair{Substance::water, "water"},
           std::pair{Substance::bed, "ground"}, std::pair{Substance::rigid, "rigid block"}}) {
         if (std::ranges::find(seen.substance, substance) == seen.substance.end()) continue;
-        canvas.rectangle({x, y - 9 * u}, {x + 30 * u, y + 9 * u}, palette::ink);
-        canvas.rectangle({x + 1.5 * u, y - 7.5 * u}, {x + 28.5 * u, y + 7.5 * u}, substance_color(substance));
+        drawing.rectangle({x, y - 9 * u}, {x + 30 * u, y + 9 * u}, palette::ink);
+        drawing.rectangle({x + 1.5 * u, y - 7.5 * u}, {x + 28.5 * u, y + 7.5 * u},
+                          substance_color(substance));
         name(text);
     }
     if (std::isfinite(settings.still_level)) {
-        canvas.dashed_line({x, y}, {x + 30 * u, y}, 1.6 * u, 8 * u, 3 * u, palette::ink);
+        drawing.dashed_line({x, y}, {x + 30 * u, y}, 1.6 * u, 8 * u, 3 * u, palette::ink);
         name("still water level");
     }
 }
@@ -246,17 +247,17 @@ void draw_legend(Canvas& canvas, const SectionSettings& settings, const Page& pa
 SectionPicture draw_section(const SectionSettings& settings) {
     assert(settings.width >= 400 && settings.at);
     const Page page = lay_out(settings);
-    SectionPicture picture{Canvas(page.width, page.height), page.section, page.plan, page.exaggeration};
-    Canvas& canvas = picture.canvas;
+    SectionPicture picture{Drawing(page.width, page.height), page.section, page.plan, page.exaggeration};
+    Drawing& drawing = picture.drawing;
     const Samples taken = take_samples(settings, page.section);
-    draw_substances(canvas, taken, page.section);
-    draw_still_level(canvas, settings, page);
-    draw_axes(canvas, page.section, page.unit);
-    draw_heading(canvas, settings, page);
-    draw_legend(canvas, settings, page, taken);
-    if (page.has_plan) draw_plan_panel(canvas, settings, page);
-    draw_gauges(canvas, settings, page);
-    draw_measures(canvas, settings, page);
+    draw_substances(drawing, taken, page.section);
+    draw_still_level(drawing, settings, page);
+    draw_axes(drawing, page.section, page.unit);
+    draw_heading(drawing, settings, page);
+    draw_legend(drawing, settings, page, taken);
+    if (page.has_plan) draw_plan_panel(drawing, settings, page);
+    draw_gauges(drawing, settings, page);
+    draw_measures(drawing, settings, page);
     return picture;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/canvas.h"
+#include "io/drawing.h"
 #include "io/panel.h"
 #include "io/plan.h"
 
@@ -38,7 +38,7 @@ struct SectionSettings {
 };
 
 struct SectionPicture {
-    Canvas canvas;
+    Drawing drawing;
     Panel section, plan;        // where places lie on it
     double exaggeration = 1.0;  // of heights in the section; the picture says so where it is not 1
 };

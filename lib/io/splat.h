@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -33,6 +34,11 @@ struct Raster {
 
     int columns() const { return width * samples; }
     int rows() const { return height * samples; }
+    std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
+               static_cast<std::size_t>(column);
+    }
+    std::uint32_t at(int column, int row) const { return particle[index(column, row)]; }
 };
 
 // Draws particle p as a ball of `radius` m, and at least of three quarters of a sample, around points[3p ..

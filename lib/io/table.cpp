@@ -110,7 +110,9 @@ const std::vector<double>* Table::find(std::string_view column) const {
 Table read_table(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path))
         throw InputError(path.string() + ": the file does not exist" + remedy);
-    std::istringstream text(read_text(path));
+    std::string all = read_text(path);
+    if (path.extension() == ".part") all.resize(all.rfind('\n') + 1);  // of npos: 0
+    std::istringstream text(all);
     Table table;
     std::string line;
     for (std::size_t number = 1; std::getline(text, line); ++number) {

@@ -208,6 +208,9 @@ struct Scene {
             0.5;  // effect "fracture": ice that lost this share of its strength has failed
         std::vector<std::string> references;  // "quantity least greatest source"
         double iceberg_share = 0.05;  // likewise: an iceberg's least volume, over the ice's height² × width
+        double iceberg_reach = 1.5;   // effect "ice": of a connection, in particle spacings
+        double iceberg_volume = 0.0;  // m³ (2D: m²): least of an iceberg that is followed; 0: two cells' cube
+        double calving_window = 0.0;  // s, over which the calving rate is taken; 0: a tenth of the run
     } postprocess;
 
     bool has(std::string_view effect) const;

@@ -12,6 +12,15 @@
 
 namespace tidewater {
 
+// Frames of another program, instead of simulate's.
+struct ParticleOptions {
+    std::vector<std::filesystem::path> files;  // empty: simulate's frames
+    std::string map, materials;                // io/column_map.h; empty: none
+    std::string up = "z";                      // or "y"
+    std::vector<double> origin;                // m, x, y, z in the files' axes; empty: theirs is the scene's
+    std::vector<double> times;                 // s, of each file; empty: as the files tell
+};
+
 struct StageOptions {
     std::filesystem::path scene;
     std::filesystem::path run;  // never empty: runs/<stem of the scene file> by default
@@ -21,9 +30,14 @@ struct StageOptions {
     bool print_scene = false;
     std::optional<scene::Stage> print_part;
 
+    // Of postprocess alone.
+    ParticleOptions particles;
+
     // Of simulate alone.
     std::string from;  // "start", or the checkpoint to go on from; empty: the run's own if there is one
     double until = std::numeric_limits<double>::infinity();  // s, simulated
+
+    bool movie = false;  // of postprocess alone
 };
 
 // Empty after --help, --help-scene and --version, which are answered on standard output.

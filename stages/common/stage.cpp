@@ -68,8 +68,10 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                                         .command = command,
                                         .scene_hash = scene::scene_hash(scene, program.stage),
                                         .seed = scene.seed},
+                         .particles = options.particles,
                          .from = options.from,
-                         .until = options.until};
+                         .until = options.until,
+                         .movie = options.movie};
     say(program, "writing " + context.folder.string());
     make_output_folder(context.folder);
     const FolderLock lock(context.folder);

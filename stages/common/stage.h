@@ -8,7 +8,9 @@
 //     tidewater-<stage> SCENE [--set KEY=VALUE]... [--run FOLDER] [--threads N]    runs the stage
 //     tidewater-<stage> SCENE --check | --print-scene | --print-part STAGE         only looks at the scene
 //     tidewater-<stage> --help | --help-scene | --version
+//     tidewater-postprocess SCENE [--particles FILE... [--map COLUMN=ARRAY,...]]
 //     tidewater-simulate SCENE [--from start|CHECKPOINT] [--until TIME]
+//     tidewater-postprocess SCENE [--movie]
 //
 // A line on standard error for each problem, "tidewater-<stage>: <what, where, and what to do>", and the exit
 // code of core/error.h; 128 + the signal for a simulate that was stopped by one. Command-line misuse counts
@@ -19,6 +21,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/options.h"
 #include "core/provenance.h"
 #include "scene/scene.h"
 
@@ -30,8 +33,11 @@ struct StageContext {
     std::filesystem::path folder;  // run/<stage>; exists and can be written to
     Provenance provenance;
 
+    ParticleOptions particles;  // postprocess's options
+
     std::string from;    // simulate's options; see StageOptions
     double until = 0.0;  // s
+    bool movie = false;  // postprocess' option
 };
 
 // The level sets that the geometry stage left for the others.

@@ -7,6 +7,7 @@
 
 #include "common/tank.h"
 #include "io/level_set_files.h"
+#include "io/rasterise.h"
 #include "io/section_picture.h"
 #include "io/text.h"
 
@@ -141,8 +142,9 @@ void show(const StageContext& context, const Bodies& bodies,
     double values = static_cast<double>(shown.size());
     for (const double length : scene.domain.size) values *= length / scene.domain.cell_size + 1.0;
     io::write_image(context.folder / "image.vti", shown, extent, values < most_values, context.provenance);
-    draw_section(section_settings(scene, bodies))
-        .canvas.write_png(context.folder / "scene.png", context.provenance);
+    const io::Drawing section = draw_section(section_settings(scene, bodies)).drawing;
+    io::write_svg_and_png(context.folder / "scene.svg", section.svg(context.provenance), 1.0,
+                          context.provenance);
 }
 
 }  // namespace tidewater

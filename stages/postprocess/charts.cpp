@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/chart.h"
+#include "io/rasterise.h"
 #include "io/text.h"
 
 namespace tidewater::postprocess {
@@ -50,6 +51,10 @@ void use_energy_unit(io::ChartPanel& panel, bool per_width) {
 }
 
 }  // namespace
+
+void write_chart(const StageContext& context, const std::string& name, const std::string& svg) {
+    io::write_svg_and_png(context.folder / (name + ".svg"), svg, io::chart_scale, context.provenance);
+}
 
 std::string gauge_chart(const Waves& waves, const StageContext& context) {
     io::Chart chart{.title = context.scene.title, .x_label = "time (s)", .panels = {}, .one_y_range = true};

@@ -1,4 +1,4 @@
-// The stage's charts, each as the text of an SVG file.
+// The stage's charts, each as the text of an SVG file, which write_chart writes as a PNG file too.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,9 @@
 #include "tsunami.h"
 
 namespace tidewater::postprocess {
+
+// <name>.svg and <name>.png in the stage's folder.
+void write_chart(const StageContext& context, const std::string& name, const std::string& svg);
 
 // η over time, a panel per gauge, with arrivals, leading crests and the reflection's return.
 std::string gauge_chart(const Waves& waves, const StageContext& context);

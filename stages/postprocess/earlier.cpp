@@ -34,10 +34,13 @@ void require_same_scene(const std::filesystem::path& simulated, const scene::Sce
 
 void remove_earlier_results(const std::filesystem::path& folder) {
     static const std::regex ours(
-        R"(((particles|water_surface|iceberg_surfaces)\.pvd|view\.py|(frames|report)\.html|)"
-        R"((gauges|celerity|energy|bodies|energy_split|first_wave|spectra|decay|space_time|run_up)\.svg|)"
+        // Of each product its stem and the forms that it is written in.
+        R"(((particles|water_surface|iceberg_surfaces)\.pvd|view\.py|(frames|report)\.html|frames\.mp4|)"
         R"((gauges|gauges_snapshots|space_time)\.nc|)"
-        R"((gauges|waves|icebergs|fragments|first_wave|waves_3d|tsunami|energy_split|spectra|decay|decay_fit|run_up)\.csv)(\.part)?)");
+        R"((gauges|celerity|energy|bodies|energy_split|first_wave|spectra|decay|space_time|run_up|sizes|calving)\.)"
+        R"((svg|png)|)"
+        R"((gauges|waves|first_wave|long_waves|waves_3d|tsunami|energy_split|spectra|decay|decay_fit|run_up|fragments|)"
+        R"(icebergs|iceberg_summary|iceberg_events|calving|sizes|size_histogram|size_fits)\.csv)(\.part)?)");
     std::error_code error;
     std::vector<std::filesystem::path> found{folder / "report.html"};
     std::filesystem::directory_iterator entry(folder, error);

@@ -12,8 +12,8 @@ namespace tidewater::postprocess {
 void require_same_scene(const std::filesystem::path& simulated, const scene::Scene& scene);
 
 // Removes what this stage may have written to its folder of the whole run, whole or as .part, which could
-// name other frames or gauges; report.html first. Single frames' files, of which stamps.h knows what they were
-// made from, and other files stay. Throws OutputError.
+// name other frames or gauges; report.html first. Single frames' files, of which stamps.h knows what they
+// were made from, and other files stay. Throws OutputError.
 void remove_earlier_results(const std::filesystem::path& folder);
 
 }  // namespace tidewater::postprocess

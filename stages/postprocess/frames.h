@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "io/particle_files.h"
 #include "io/snapshot.h"
 #include "scene/scene.h"
 
@@ -15,7 +17,13 @@ struct Frames {
     std::vector<std::filesystem::path> files;  // in the order of their times
     std::vector<double> times;                 // s
 
-    // Name, size and time of the last change of a frame's file, as text: another one if the file is another.
+    // Of another program's frames: how they are read, the same as text, and how many particles the first has.
+    std::optional<io::ParticleImport> import;
+    std::string import_text;
+    std::size_t first_count = 0;
+
+    // Name, size and time of the last change of a frame's file, and how it is read, as text: another one if
+    // the file is another.
     std::string stamp(std::size_t frame) const;
 };
 
@@ -23,7 +31,8 @@ struct Frames {
 // no whole snapshot of this version.
 Frames find_frames(const std::filesystem::path& folder);
 
-// Throws InputError if the file is damaged or of another dimension than the scene.
+// Throws InputError if the file is damaged or of another dimension than the scene; of another program also if
+// its particles cannot be told apart.
 io::Snapshot read_frame(const Frames& frames, std::size_t frame, const scene::Scene& scene);
 
 }  // namespace tidewater::postprocess

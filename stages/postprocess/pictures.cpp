@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "common/tank.h"
 #include "core/error.h"
 #include "core/types.h"
 #include "io/axis.h"
+#include "io/movie.h"
 #include "io/picture.h"
+#include "io/rasterise.h"
 #include "io/slides.h"
 #include "io/table.h"
 #include "io/text.h"
@@ -98,8 +101,17 @@ double speed_scale(const StageContext& context, const std::vector<std::size_t>& 
     return fastest > 0.0 ? io::round_up(fastest) : 1.0;
 }
 
-std::string picture_name(double time, int decimals) {
-    return "frame_t=" + io::format_fixed(time, decimals) + ".png";
+std::string picture_name(double time, int decimals, const char* ending) {
+    return "frame_t=" + io::format_fixed(time, decimals) + ending;
+}
+
+std::vector<std::filesystem::path> picture_paths(const StageContext& context, const Frames& frames,
+                                                 const std::vector<std::size_t>& chosen) {
+    const int decimals = time_decimals(frames.times);
+    std::vector<std::filesystem::path> paths;
+    for (const std::size_t frame : chosen)
+        paths.push_back(context.folder / picture_name(frames.times[frame], decimals, ".png"));
+    return paths;
 }
 
 // The keys that a picture shows, and the scale of its colours.
@@ -116,22 +128,26 @@ std::string picture_depends_on(const scene::Scene& scene, const io::PictureSetti
 FrameProduct picture_product(const StageContext& context, const Frames& frames,
                              const std::vector<std::size_t>& chosen, const io::PictureSettings& settings) {
     const int decimals = time_decimals(frames.times);
-    const auto name = [=, &frames](std::size_t frame) { return picture_name(frames.times[frame], decimals); };
+    const auto name = [=, &frames](std::size_t frame, const char* ending) {
+        return picture_name(frames.times[frame], decimals, ending);
+    };
     return {.name = "picture",
             .settings = picture_depends_on(context.scene, settings),
             .files =
                 [=, &chosen](std::size_t frame) {
                     const bool drawn = std::ranges::binary_search(chosen, frame);
-                    return drawn ? std::vector{name(frame)} : std::vector<std::string>{};
+                    if (!drawn) return std::vector<std::string>{};
+                    return std::vector{name(frame, ".png"), name(frame, ".svg")};
                 },
             .make =
                 [=, folder = context.folder](std::size_t frame, const io::Snapshot& snapshot,
                                              const Provenance& provenance) {
                     io::PictureSettings of_frame = settings;
                     of_frame.time = snapshot.time;
-                    io::draw_picture({snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage},
-                                     of_frame)
-                        .write_png(folder / name(frame), provenance);
+                    const io::Drawing picture = io::draw_picture(
+                        {snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage}, of_frame);
+                    io::write_svg_and_png(folder / name(frame, ".svg"), picture.svg(provenance), 1.0,
+                                          provenance);
                 },
             .follows = false};
 }
@@ -207,9 +223,27 @@ void make_pictures(const StageContext& context, const Frames& frames, const std:
     const std::array products{picture_product(context, frames, chosen, settings)};
     make_frame_products(context, frames, products, "pictures", stamps);
     std::vector<io::Slide> slides;
-    for (const std::size_t frame : chosen)
-        slides.push_back({frames.times[frame], context.folder / products[0].files(frame).front()});
+    const auto paths = picture_paths(context, frames, chosen);
+    for (std::size_t i = 0; i < chosen.size(); ++i) slides.push_back({frames.times[chosen[i]], paths[i]});
     io::write_slides(context.folder / "frames.html", context.scene.title, slides, context.provenance);
+}
+
+void make_movie(const StageContext& context, const Frames& frames) {
+    const auto ffmpeg = io::find_on_path("ffmpeg");
+    if (!ffmpeg) {
+        std::puts(
+            "no frames.mp4: ffmpeg is not there; install it (Debian: apt-get install ffmpeg) and run again");
+        return;
+    }
+    const auto chosen = choose_pictures(frames.times, context.scene);
+    if (chosen.size() < 2) {
+        std::puts("no frames.mp4: one picture makes no movie; set postprocess.picture_interval");
+        return;
+    }
+    std::vector<double> times;
+    for (const std::size_t frame : chosen) times.push_back(frames.times[frame]);
+    io::write_movie(*ffmpeg, picture_paths(context, frames, chosen), io::movie_rate(times),
+                    context.folder / "frames.mp4");
 }
 
 }  // namespace tidewater::postprocess

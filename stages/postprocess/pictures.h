@@ -26,8 +26,12 @@ void check_picture_window(const scene::Scene& scene);
 // frames/speed_NNNN.csv. Nothing where the scene sets the scale.
 FrameProduct speed_product(const StageContext& context, const std::vector<std::size_t>& chosen);
 
-// Makes frame_t=<time>.png of the chosen frames, of which speed_product has been made, and frames.html.
+// Makes frame_t=<time>.png and .svg of the chosen frames, of which speed_product has been made, and
+// frames.html.
 void make_pictures(const StageContext& context, const Frames& frames, const std::vector<std::size_t>& chosen,
                    const Ground& ground, Stamps& stamps);
+
+// frames.mp4 of those pictures, if ffmpeg is there, or a line that says why there is none.
+void make_movie(const StageContext& context, const Frames& frames);
 
 }  // namespace tidewater::postprocess

@@ -41,6 +41,7 @@ constexpr std::array tables{
     Contents{"waves.csv", "Waves at the gauges",
              "One row per gauge, the leading wave first; the last row is fitted over all gauges."},
     Contents{"decay_fit.csv", "Decay with distance", "Crest = amplitude × (distance/depth)^−exponent."},
+    Contents{"long_waves.csv", "Speed of long waves", "From gauge to gauge, by linear dispersion."},
     Contents{"waves_3d.csv", "The wave in 3D", "Eqs. 11 to 13 of the paper, with their ±50 % band."},
     Contents{"tsunami.csv", "The wave's source", "Slide parameters, first wave and energies."},
     Contents{"size_fits.csv", "Fits of iceberg sizes", "Maximum likelihood, 95 % intervals."},

@@ -23,7 +23,7 @@ expect_near() {
         fail_case "$1 is $2, not $3"
 }
 
-files="bodies.svg energy_split.csv energy_split.svg first_wave.csv first_wave.svg tsunami.csv waves_3d.csv"
+files="bodies.svg energy_split.csv energy_split.svg first_wave.csv first_wave.svg long_waves.csv tsunami.csv waves_3d.csv"
 
 case_named "the first wave has the speed, height and place that it was made with"
 "$write_block_wave" block_wave.toml fall || fail_case "no run was written"
@@ -36,6 +36,7 @@ expect_near amplitude "$(value $tsunami amplitude)" 0.1 0.003
 expect_near "its time" "$(value $tsunami amplitude_time)" 0.5 0.11
 expect_near "its place" "$(value $tsunami amplitude_x)" 2.1 0.4
 expect_near error_percent "$(value $tsunami error_percent)" -4.2 0.6
+expect_same "$(value fall/postprocess/long_waves.csv pairs)" 0 # the run has no gauges
 wave=fall/postprocess/first_wave.csv
 for row in 10 20 30; do
     time=$(value $wave time $row)

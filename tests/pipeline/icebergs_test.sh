@@ -27,7 +27,7 @@ expect_near() {
 case_named "the first iceberg has the crack's time, length and start"
 postprocess broken 0
 expect_code 0
-first=broken/postprocess/icebergs.csv
+first=broken/postprocess/first_iceberg.csv
 expect_near time "$(value $first time)" 1.495 1e-6
 expect_near length "$(value $first length)" 61 2
 expect_near length_ratio "$(value $first length_ratio)" 0.7625 0.03
@@ -44,24 +44,44 @@ expect_near crack_start_height "$(value $first crack_start_height)" 0.9875 1e-6
 expect_near crack_position "$(value $first crack_position)" 61 0.1
 expect_file broken/postprocess/frame_t=2.00.png
 
-case_named "fragments are listed from the largest on, without crumbs"
-expect_same "$(grep --invert-match --count '^#' broken/postprocess/fragments.csv)" 3
-expect_near "the rest's volume" "$(value broken/postprocess/fragments.csv volume)" 13500 500
-expect_line "fragments of intact ice at 2.00 s: 2 of at least 320 m² per m of width"
+case_named "its failure plane is upright, by a fit and from the front's foot"
+expect_near plane_angle "$(value $first plane_angle)" 90 2
+expect_near foot_angle "$(value $first foot_angle)" 52.7 1 # atan(80/61)
+
+case_named "the main event is the iceberg that was followed, as wide as the first one"
+event=broken/postprocess/main_event.csv
+expect_near time "$(value $event time)" 2 1e-6
+expect_near time_before "$(value $event time_before)" 0 1e-6
+expect_near failed_width "$(value $event failed_width)" 61 2
+expect_near plane_angle "$(value $event plane_angle)" 90 3
+expect_same "$(value $event icebergs)" 1
+expect_line "main event: between 0.00 and 2.00 s, "
+
+case_named "the iceberg is described, its crumbs are none"
+expect_same "$(grep --invert-match --count '^#' broken/postprocess/icebergs.csv)" 2
+expect_same "$(value broken/postprocess/icebergs.csv iceberg)" 1
+expect_near rotation "$(value broken/postprocess/icebergs.csv rotation_y)" 0 1e-6
+expect_near velocity "$(value broken/postprocess/icebergs.csv velocity_x)" 1 1e-4
+expect_near height "$(value broken/postprocess/icebergs.csv length)" 80 6
+expect_near break "$(value broken/postprocess/iceberg_summary.csv break_distance)" 50 8
+expect_same "$(value broken/postprocess/iceberg_summary.csv detachment_time)" 2
+expect_same "$(value broken/postprocess/iceberg_summary.csv parent)" 0
 
 case_named "a crack that is not through detaches nothing, and is told"
 postprocess cracked 10
 expect_code 0
-expect_same "$(value cracked/postprocess/icebergs.csv time)" nan
-expect_near crack_time "$(value cracked/postprocess/icebergs.csv crack_time)" 1.195 1e-6
+expect_same "$(value cracked/postprocess/first_iceberg.csv time)" nan
+expect_near crack_time "$(value cracked/postprocess/first_iceberg.csv crack_time)" 1.195 1e-6
 expect_line "first crack: from the top, 61 m "
-expect_same "$(grep --invert-match --count '^#' cracked/postprocess/fragments.csv)" 2
+expect_same "$(grep --invert-match --count '^#' cracked/postprocess/icebergs.csv)" 1
+expect_same "$(value cracked/postprocess/main_event.csv time)" nan
+expect_line "main event: none, nothing came off the glacier"
 expect_line "no iceberg came off: "
 
 case_named "a toe that is crushed is no crack"
 postprocess crushed 80
 expect_code 0
-expect_same "$(value crushed/postprocess/icebergs.csv crack_time)" nan
+expect_same "$(value crushed/postprocess/first_iceberg.csv crack_time)" nan
 expect_line "no crack formed"
 
 case_named "what is an iceberg is the scene's choice"
@@ -73,21 +93,21 @@ case_named "which damage divides fragments is the scene's choice, and changes no
 for damage in 0.01 1; do
     postprocess "damage_$damage" 0 --set "postprocess.iceberg_damage=$damage"
     expect_code 0
-    expect_near time "$(value "damage_$damage/postprocess/icebergs.csv" time)" 1.495 1e-6
+    expect_near time "$(value "damage_$damage/postprocess/first_iceberg.csv" time)" 1.495 1e-6
 done
-awk -v a="$(value damage_0.01/postprocess/fragments.csv volume)" -v b="$(value damage_1/postprocess/fragments.csv volume)" \
-    'BEGIN { exit !(b > a + 500) }' || fail_case "a greater damage leaves no greater fragments"
+awk -v a="$(value damage_0.01/postprocess/main_event.csv volume)" -v b="$(value damage_1/postprocess/main_event.csv volume)" \
+    'BEGIN { exit !(b > a + 100) }' || fail_case "a greater damage leaves no greater icebergs"
 
-case_named "ice without failure times leaves none of the files, not even earlier ones"
+case_named "a scene without ice leaves none of the files, not even earlier ones"
 postprocess broken 0
 "$bin/tidewater-geometry" tiny.toml --run tiny >/dev/null 2>&1
 "$bin/tidewater-simulate" tiny.toml --run tiny >/dev/null 2>&1
 mkdir tiny/postprocess
-cp broken/postprocess/{icebergs,fragments}.csv tiny/postprocess
+cp broken/postprocess/{icebergs,calving,iceberg_summary,iceberg_events,sizes,size_fits,size_histogram}.csv \
+    broken/postprocess/{sizes,calving}.svg tiny/postprocess
 run "$bin/tidewater-postprocess" tiny.toml --run tiny
 expect_code 0
-expect_no_file tiny/postprocess/icebergs.csv
-expect_no_file tiny/postprocess/fragments.csv
+expect_same "$(cd tiny/postprocess && ls | grep -E 'iceberg|calving|size')" ""
 
 case_named "tidewater-overhang puts runs beside beam theory"
 cp -r broken deeper
@@ -114,7 +134,7 @@ expect_same "$(find compared | wc -l)" 3
 case_named "tidewater-overhang tells what is missing"
 run "$bin/tidewater-overhang" broken nothing
 expect_code 3
-expect_same "$output" "tidewater-overhang: nothing/postprocess/icebergs.csv: the file does not exist; run tidewater-postprocess \
+expect_same "$output" "tidewater-overhang: nothing/postprocess/first_iceberg.csv: the file does not exist; run tidewater-postprocess \
 on a run whose ice fractures"
 expect_no_file overhang.csv
 run "$bin/tidewater-overhang"

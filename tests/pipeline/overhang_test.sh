@@ -12,7 +12,7 @@ sweep() {
 case_named "each depth is a run of its own, and the lengths are drawn against theory"
 sweep
 expect_code 0
-expect_file sweep/D0/postprocess/icebergs.csv
+expect_file sweep/D0/postprocess/first_iceberg.csv
 expect_file sweep/D0.5/simulate/ledger.csv
 expect_file sweep/overhang.svg
 run grep --count --invert-match '^#' sweep/overhang.csv
@@ -22,7 +22,7 @@ case_named "a depth that is up to date is not run again, a new one alone is"
 touch marker
 sweep DEPTHS='0 0.5 0.25'
 expect_code 0
-expect_file sweep/D0.25/postprocess/icebergs.csv
+expect_file sweep/D0.25/postprocess/first_iceberg.csv
 run find sweep/D0 sweep/D0.5 -newer marker -name 'frame_*'
 expect_same "$output" ""
 run grep --count --invert-match '^#' sweep/overhang.csv

@@ -43,6 +43,21 @@ void read_tsunami(const std::filesystem::path& path, Case& c, double& direction)
     c.greatest_rise = value("greatest_rise");
 }
 
+// Of the way of the higher wave; of the first way that has a celerity if no crest was found.
+void read_long_waves(const std::filesystem::path& path, double direction, Case& c) {
+    if (!std::filesystem::exists(path)) return;  // an older run's
+    const io::Table table = io::read_table(path);
+    const auto &way = io::require_column(table, "direction", path),
+               &celerity = io::require_column(table, "celerity", path),
+               &error = io::require_column(table, "error", path);
+    for (std::size_t r = 0; r < way.size(); ++r) {
+        if (std::isnan(celerity[r]) || (!std::isnan(direction) && way[r] != direction)) continue;
+        c.long_waves = celerity[r];
+        c.long_waves_error = error[r];
+        return;
+    }
+}
+
 void read_track(const std::filesystem::path& path, double direction, Case& c) {
     require_file(path);
     const io::Table table = io::read_table(path);
@@ -99,6 +114,7 @@ Case read_case(const std::string& argument) {
                                       : argument.substr(0, equals);
     double direction = 1.0;
     read_tsunami(folder / "postprocess" / "tsunami.csv", c, direction);
+    read_long_waves(folder / "postprocess" / "long_waves.csv", direction, c);
     read_track(folder / "postprocess" / "first_wave.csv", direction, c);
     return c;
 }
@@ -119,6 +135,8 @@ void write_cases(const std::filesystem::path& path, const std::vector<Case>& cas
                                      "celerity",
                                      "error_percent",
                                      "linear_celerity",
+                                     "long_waves",
+                                     "long_waves_error",
                                      "block_energy",
                                      "water_energy",
                                      "lost_energy",
@@ -145,6 +163,8 @@ void write_cases(const std::filesystem::path& path, const std::vector<Case>& cas
                                     c.celerity,
                                     c.celerity_error(),
                                     c.linear_celerity,
+                                    c.long_waves,
+                                    c.long_waves_error,
                                     c.block_energy,
                                     c.water_energy,
                                     c.lost_energy,
@@ -166,7 +186,7 @@ void write_cases(const std::filesystem::path& path, const std::vector<Case>& cas
 std::string describe(const std::vector<Case>& cases) {
     std::string text =
         "case       v_s (m/s)   lab   error %   2D a (m)  3D a at r/D = 2 (m)   celerity (m/s)  error %   "
-        "linear   lost (J/m)   rise (J/m)\n";
+        "linear  long waves   lost (J/m)   rise (J/m)\n";
     for (const Case& c : cases) {
         const Experiment* experiment = experiment_of(c.label);
         const double speed = experiment ? experiment->speed : analysis::none;
@@ -175,8 +195,8 @@ std::string describe(const std::vector<Case>& cases) {
         text += label + cell(c.speed, 3, 10) + cell(speed, 2, 6) +
                 cell(error_percent(c.speed, speed), 1, 10) + cell(c.amplitude, 4, 11) +
                 cell(c.amplitude_3d(2.0), 4, 21) + cell(c.celerity, 3, 17) + cell(c.celerity_error(), 1, 9) +
-                cell(c.linear_celerity, 3, 9) + cell(c.lost_energy, 1, 13) + cell(c.greatest_rise, 2, 13) +
-                "\n";
+                cell(c.linear_celerity, 3, 9) + cell(c.long_waves, 3, 12) + cell(c.lost_energy, 1, 13) +
+                cell(c.greatest_rise, 2, 13) + "\n";
     }
     return text;
 }

@@ -35,9 +35,10 @@ struct Case {
     double speed = analysis::none, froude = analysis::none, thickness_ratio = analysis::none,
            mass_ratio = analysis::none, impulse_product = analysis::none, amplitude = analysis::none,
            amplitude_time = analysis::none, amplitude_distance = analysis::none, celerity = analysis::none,
-           linear_celerity = analysis::none, long_wave_celerity = analysis::none,
-           block_energy = analysis::none, water_energy = analysis::none, lost_energy = analysis::none,
-           greatest_rise = analysis::none;
+           linear_celerity = analysis::none, long_waves = analysis::none,
+           long_waves_error = analysis::none,  // as in long_waves.csv, m/s
+        long_wave_celerity = analysis::none, block_energy = analysis::none, water_energy = analysis::none,
+           lost_energy = analysis::none, greatest_rise = analysis::none;
     std::vector<double> time, ratio, run;  // of the higher way: since the greatest amplitude, s; amplitude
                                            // over it; distance from where it was, m
 

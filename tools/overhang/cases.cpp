@@ -58,7 +58,7 @@ bool Case::alike(const Case& other) const { return order(*this) == order(other);
 
 Case read_case(const std::filesystem::path& run) {
     const auto scene_path = run / "postprocess" / "scene.toml";
-    const auto path = run / "postprocess" / "icebergs.csv";
+    const auto path = run / "postprocess" / "first_iceberg.csv";
     require_file(path);
     require_file(scene_path);
     const scene::Scene scene = scene::read_scene(scene_path);

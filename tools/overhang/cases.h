@@ -43,7 +43,7 @@ struct Case {
     bool alike(const Case& other) const;
 };
 
-// From <run>/postprocess/icebergs.csv and the scene.toml beside it. Throws InputError if one is missing or
+// From <run>/postprocess/first_iceberg.csv and the scene.toml beside it. Throws InputError if one is missing or
 // damaged, or has no ice; SceneError if the scene is not one of this version.
 Case read_case(const std::filesystem::path& run);
 

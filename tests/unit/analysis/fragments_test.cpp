@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -106,4 +107,38 @@ TEST_CASE("nearly all particles anywhere within their own shares of the cells ha
 TEST_CASE("a million particles side by side are one fragment") {
     const auto points = lattice(100, 100, 100);
     CHECK(label_fragments(points, Flags(1000000, 1), usual_reach).size[0] == 1000000);
+}
+
+TEST_CASE("fragments that hold a piece of the rear are one, whatever failed between them") {
+    const auto points = lattice(9, 1, 1);
+    auto found = label_fragments(points, Flags{1, 0, 1, 1, 0, 1, 1, 1, 0}, usual_reach);
+    REQUIRE(found.size == std::vector<std::uint32_t>{3, 2, 1});
+    auto untouched = found;
+    CHECK(join_fragments(Flags(9, 0), untouched) == Fragments::none);
+    CHECK(join_fragments(Flags{0, 1, 0, 0, 0, 0, 0, 0, 0}, untouched) == Fragments::none);  // it failed
+    CHECK(untouched.label == found.label);
+    CHECK(join_fragments(Flags{1, 1, 1, 0, 0, 0, 0, 0, 0}, found) == 1);
+    constexpr auto none = Fragments::none;
+    CHECK(found.label == std::vector<std::uint32_t>{1, none, 1, 1, none, 0, 0, 0, none});
+    CHECK(found.size == std::vector<std::uint32_t>{3, 3, 0});
+}
+
+TEST_CASE("crumbs are taken out by their volume, but not what is to be kept") {
+    const auto points = lattice(9, 1, 1);
+    const auto all = label_fragments(points, Flags{1, 0, 1, 1, 0, 1, 1, 1, 0}, usual_reach);
+    const std::vector<float> volume(9, 2.0f);
+    auto some = all;
+    drop_crumbs(volume, 4.0, Fragments::none, some);
+    CHECK(some.size == std::vector<std::uint32_t>{3, 2, 0});
+    CHECK(some.label[0] == Fragments::none);
+    CHECK(some.label[2] == 1);
+    some = all;
+    drop_crumbs(volume, 4.5, 2, some);
+    CHECK(some.size == std::vector<std::uint32_t>{3, 0, 1});
+    const FragmentMembers members = collect_members(some);
+    CHECK(std::ranges::equal(members.of(0), std::vector<std::uint32_t>{5, 6, 7}));
+    CHECK(members.of(1).empty());
+    CHECK(std::ranges::equal(members.of(2), std::vector<std::uint32_t>{0}));
+    CHECK(collect_members(some, 0).particles == std::vector<std::uint32_t>{0});
+    CHECK(collect_members(Fragments{}).particles.empty());
 }

@@ -2,9 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -20,28 +18,38 @@ constexpr std::uint32_t gone = Fragments::none;
 
 using Labels = std::vector<std::uint32_t>;
 
-// Follows frames of ten particles; `seed` shuffles the particles and renames labels 0, 1, 2.
-IcebergTracks follow(const std::vector<Labels>& frames, std::uint64_t seed,
-                     std::vector<Labels>& of_particles) {
+struct Followed {
+    std::vector<Labels> icebergs;  // of each particle, in each frame
+    std::vector<IcebergEvent> events;
+};
+
+// Follows frames of ten particles; `seed` shuffles the particles and renames labels 0, 1, 2. glacier: a
+// particle whose fragment is the glacier, unless it is in none.
+Followed follow(const std::vector<Labels>& frames, std::uint64_t seed, std::size_t glacier = gone) {
     IcebergTracks tracks;
+    Followed followed;
     double time = 0.0;
     for (const Labels& labels : frames) {
-        std::vector<std::uint64_t> order(labels.size());
+        Labels order(labels.size());
         std::iota(order.begin(), order.end(), 0u);
-        std::ranges::sort(order, {}, [&](std::uint64_t i) { return random_uniform(seed, 0, i); });
+        std::ranges::sort(order, {}, [&](std::uint32_t i) { return random_uniform(seed, 0, i); });
         Labels shuffled;
-        for (const std::uint64_t i : order) {
+        for (const std::uint32_t i : order) {
             shuffled.push_back(labels[i] == gone ? gone : static_cast<std::uint32_t>((labels[i] + seed) % 3));
         }
         const std::vector<float> volume(labels.size(), 2.0f);
-        const auto found = follow_icebergs({time++, order, shuffled, volume}, tracks);
+        FragmentFrame frame{time++, order, shuffled, volume};
+        const auto place = std::ranges::find(order, glacier);
+        if (place != order.end()) frame.glacier = shuffled[static_cast<std::size_t>(place - order.begin())];
+        const auto found = follow_icebergs(frame, tracks);
         Labels of_particle(labels.size(), gone);
         for (std::size_t i = 0; i < order.size(); ++i) {
             if (shuffled[i] != gone) of_particle[order[i]] = found[shuffled[i]];
         }
-        of_particles.push_back(of_particle);
+        followed.icebergs.push_back(of_particle);
+        followed.events.insert(followed.events.end(), tracks.events.begin(), tracks.events.end());
     }
-    return tracks;
+    return followed;
 }
 
 }  // namespace
@@ -54,82 +62,55 @@ TEST_CASE("a block that splits, merges and melts keeps its ids, in any order of 
                                      {gone, gone, gone, gone, gone, gone, gone, gone, 0, 0},
                                      {}};
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        std::vector<Labels> icebergs;
-        const IcebergTracks tracks = follow(frames, seed, icebergs);
-        CHECK(icebergs[0] == Labels(10, 0));
-        CHECK(icebergs[1] == Labels{1, 1, 1, 1, gone, 0, 0, 0, 0, 0});
-        CHECK(icebergs[2] == Labels{1, 1, 1, 1, gone, 0, 0, 0, 2, 2});
-        CHECK(icebergs[3] == Labels{1, 1, 1, 1, 1, 1, 1, 1, 2, 2});
-        CHECK(icebergs[4] == Labels{gone, gone, gone, gone, gone, gone, gone, gone, 2, 2});
+        const auto [icebergs, events] = follow(frames, seed);
+        CHECK(icebergs[0] == Labels(10, 1));
+        CHECK(icebergs[1] == Labels{2, 2, 2, 2, gone, 1, 1, 1, 1, 1});
+        CHECK(icebergs[2] == Labels{2, 2, 2, 2, gone, 1, 1, 1, 3, 3});
+        CHECK(icebergs[3] == Labels{2, 2, 2, 2, 2, 2, 2, 2, 3, 3});
+        CHECK(icebergs[4] == Labels{gone, gone, gone, gone, gone, gone, gone, gone, 3, 3});
         using Kind = IcebergEvent::Kind;
-        REQUIRE(tracks.events.size() == 6);
-        const auto is = [&](std::size_t i, double time, Kind kind, std::uint32_t iceberg,
-                            std::uint32_t other) {
-            const IcebergEvent& e = tracks.events[i];
-            return e.time == time && e.kind == kind && e.iceberg == iceberg && e.other == other;
+        REQUIRE(events.size() == 6);
+        const auto is = [&](std::size_t i, double time, Kind kind, std::uint32_t iceberg, std::uint32_t other,
+                            double volume) {
+            const IcebergEvent& e = events[i];
+            return e.time == time && e.kind == kind && e.iceberg == iceberg && e.other == other &&
+                   e.volume == volume;
         };
-        CHECK(is(0, 0.0, Kind::split, 0, IcebergEvent::none));
-        CHECK(is(1, 1.0, Kind::split, 1, 0));
-        CHECK(is(2, 2.0, Kind::split, 2, 0));
-        CHECK(is(3, 3.0, Kind::merge, 0, 1));
-        CHECK(is(4, 4.0, Kind::gone, 1, IcebergEvent::none));
-        CHECK(is(5, 5.0, Kind::gone, 2, IcebergEvent::none));
+        CHECK(is(0, 0.0, Kind::split, 1, gone, 20.0));
+        CHECK(is(1, 1.0, Kind::split, 2, 1, 8.0));
+        CHECK(is(2, 2.0, Kind::split, 3, 1, 4.0));
+        CHECK(is(3, 3.0, Kind::merge, 1, 2, 6.0));
+        CHECK(is(4, 4.0, Kind::gone, 2, gone, 0.0));
+        CHECK(is(5, 5.0, Kind::gone, 3, gone, 0.0));
+    }
+}
+
+TEST_CASE("the glacier stays iceberg 0 even where the larger part leaves it") {
+    const std::vector<Labels> frames{{0, 0, 0, 0, 0, 0, 0, 0, 1, 1},
+                                     {0, 0, 0, 1, 1, 1, 1, 1, 2, 2},
+                                     {0, 0, 0, 0, 0, 0, 0, 0, 2, 2},  // it comes back
+                                     {gone, gone, gone, 1, 1, 1, 1, 1, 2, 2}};
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const auto [icebergs, events] = follow(frames, seed, 0);
+        CHECK(icebergs[0] == Labels{0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
+        CHECK(icebergs[1] == Labels{0, 0, 0, 2, 2, 2, 2, 2, 1, 1});
+        CHECK(icebergs[2] == Labels{0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
+        CHECK(icebergs[3] == Labels{gone, gone, gone, 3, 3, 3, 3, 3, 1, 1});
+        REQUIRE(events.size() == 4);
+        CHECK((events[1].iceberg == 2 && events[1].other == glacier_id));
+        CHECK((events[2].kind == IcebergEvent::Kind::merge && events[2].other == glacier_id));
+        CHECK(events[2].volume == 10.0);
+        CHECK((events[3].iceberg == 3 && events[3].other == glacier_id));
     }
 }
 
 TEST_CASE("of equal pieces the one with the lowest particle keeps the id") {
-    std::vector<Labels> icebergs;
-    follow({{0, 0, 0, 0}, {1, 0, 0, 1}}, 0, icebergs);
-    CHECK(icebergs[1] == Labels{0, 1, 1, 0});
+    CHECK(follow({{0, 0, 0, 0}, {1, 0, 0, 1}}, 0).icebergs[1] == Labels{1, 2, 2, 1});
 }
 
-TEST_CASE("a turned and spinning box gives its edges, motion and spin back") {
-    for (const int dimension : {2, 3}) {
-        const Eigen::Vector3d center(1000.0, dimension == 3 ? 300.0 : 0.0, 50.0), drift(1.5, 0.0, -0.5);
-        const Eigen::Vector3d spin =
-            dimension == 3 ? Eigen::Vector3d(0.1, -0.2, 0.3) : Eigen::Vector3d(0.0, 0.2, 0.0);
-        const Eigen::Vector3d axis =
-            dimension == 3 ? Eigen::Vector3d(1.0, 2.0, 3.0).normalized() : Eigen::Vector3d(0.0, 1.0, 0.0);
-        const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.6, axis).toRotationMatrix();
-        std::vector<float> points, velocity, volume;
-        const int across = dimension == 3 ? 20 : 1;
-        for (int i = 0; i < 40; ++i) {
-            for (int j = 0; j < across; ++j) {
-                for (int k = 0; k < 10; ++k) {
-                    const Eigen::Vector3d at(i - 19.5, j - 0.5 * (across - 1), k - 4.5);
-                    const Eigen::Vector3d r = turn * at, v = drift + spin.cross(r);
-                    for (int d = 0; d < 3; ++d) {
-                        points.push_back(static_cast<float>(center[d] + r[d]));
-                        velocity.push_back(static_cast<float>(v[d]));
-                    }
-                    volume.push_back(1.0f);
-                }
-            }
-        }
-        std::vector<std::uint32_t> members(volume.size());
-        std::iota(members.begin(), members.end(), 0u);
-        const IcebergState s = describe_iceberg({points, velocity, volume}, members, dimension, 1.0, 52.0);
-        CHECK(s.volume == static_cast<double>(volume.size()));
-        CHECK(s.length == doctest::Approx(40.0).epsilon(1e-4));
-        CHECK(s.height == doctest::Approx(10.0).epsilon(1e-4));
-        CHECK(s.width == doctest::Approx(dimension == 3 ? 20.0 : 0.0).epsilon(1e-4));
-        CHECK(std::abs(s.axes.col(0).dot(turn.col(0))) == doctest::Approx(1.0).epsilon(1e-6));
-        CHECK((s.centroid - center).norm() < 1e-4);
-        CHECK((s.velocity - drift).norm() < 1e-5);
-        CHECK((s.rotation - spin).norm() < 1e-5);
-        const double half = 0.5 * ((s.draft + s.freeboard) - 1.0);
-        CHECK(s.draft == doctest::Approx(half + 2.5).epsilon(1e-4));
-    }
-}
-
-TEST_CASE("a single particle is a box of a spacing at rest in itself") {
-    const std::vector<float> point{3.0f, 0.0f, 1.0f}, velocity{2.0f, 0.0f, 0.0f}, volume{0.25f};
-    const IcebergState s =
-        describe_iceberg({point, velocity, volume}, std::vector<std::uint32_t>{0}, 2, 0.5, 1.0);
-    CHECK(s.length == 0.5);
-    CHECK(s.height == 0.5);
-    CHECK(s.width == 0.0);
-    CHECK(s.rotation.norm() == 0.0);
-    CHECK(s.draft == 0.25);
-    CHECK(s.freeboard == 0.25);
+TEST_CASE("without ice there is nothing to follow") {
+    IcebergTracks tracks;
+    CHECK(follow_icebergs({}, tracks).empty());
+    CHECK(tracks.count == 1);
+    CHECK(tracks.events.empty());
 }

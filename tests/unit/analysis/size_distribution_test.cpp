@@ -136,3 +136,16 @@ TEST_CASE("few fragments, a narrow range and equal sizes are doubtful") {
     CHECK(std::isnan(fit_sizes(std::vector<double>(100, 4.0)).power_law.exponent));
     CHECK_FALSE(fit_sizes(std::vector<double>{4.0, 5.0, 9.0}).trustworthy());
 }
+
+TEST_CASE("the modelled exceedance is that of sizes drawn from the model") {
+    for (const SizeFit& fit : {power_law(1.7), truncated(1.5, 80.0), exponential(20.0)}) {
+        CHECK(modelled_exceedance(fit, 2.0, 2.0) == doctest::Approx(1.0));
+        std::vector<double> drawn = draw_sizes(fit, 2.0, 20000, 5, 0);
+        std::ranges::sort(drawn);
+        for (const std::size_t rank : {5000u, 10000u, 18000u}) {
+            const double share = 1.0 - static_cast<double>(rank) / 20000.0;
+            CHECK(std::abs(modelled_exceedance(fit, 2.0, drawn[rank]) - share) < 0.01);
+        }
+    }
+    CHECK(std::isnan(modelled_exceedance({.model = SizeModel::truncated_power_law}, 2.0, 3.0)));
+}

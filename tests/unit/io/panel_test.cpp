@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "io/rasterise.h"
+#include "unit/io/fixture.h"
+
 using namespace tidewater;
 using namespace tidewater::io;
 
@@ -31,19 +34,13 @@ TEST_CASE("places lie on a panel between its corners, and come back from there")
 }
 
 TEST_CASE("axes have a frame, numbers and labels outside of it, and leave the panel free") {
-    Canvas canvas(600, 330);
-    draw_axes(canvas, panel, 1.0);
+    Drawing drawing(600, 330);
+    draw_axes(drawing, panel, 1.0);
+    const Canvas canvas = rasterise(drawing.svg(test_provenance()));
     CHECK(ink_in(canvas, 103, 53, 497, 247) == 0);
     CHECK(ink_in(canvas, 99, 49, 102, 252) > 190);  // the left side
     CHECK(ink_in(canvas, 30, 60, 92, 260) > 50);    // numbers
     CHECK(ink_in(canvas, 90, 262, 520, 282) > 50);
     CHECK(ink_in(canvas, 270, 284, 330, 310) > 20);  // the label
     CHECK(ink_in(canvas, 40, 10, 98, 40) > 20);
-}
-
-TEST_CASE("a text is as wide as its letters") {
-    const double one = text_width(20.0, "m"), three = text_width(20.0, "mmm");
-    CHECK(one > 8.0);
-    CHECK(three > 2.5 * one);
-    CHECK(text_width(40.0, "mmm") == doctest::Approx(2.0 * three).epsilon(0.1));
 }

@@ -1,13 +1,10 @@
 #include "io/picture.h"
 
 #include <doctest/doctest.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 #include <cmath>
 
-#include "core/files.h"
+#include "io/rasterise.h"
 #include "io/splat.h"
 #include "unit/io/fixture.h"
 
@@ -46,8 +43,12 @@ Snapshot half_moving_water() {
     return snapshot;
 }
 
+Canvas draw(const PictureParticles& particles, const PictureSettings& settings) {
+    return rasterise(draw_picture(particles, settings).svg(test_provenance()));
+}
+
 Canvas draw(const Snapshot& snapshot, const PictureSettings& settings) {
-    return draw_picture({snapshot.points, snapshot.velocity, snapshot.material}, settings);
+    return draw({snapshot.points, snapshot.velocity, snapshot.material}, settings);
 }
 
 // The share of the picture's pixels that have this colour.
@@ -96,7 +97,7 @@ TEST_CASE("ice is drawn as intact without damage, and by its damage with it") {
     }
     const double whole = share_of(draw(snapshot, tank), palette::ice);
     const Canvas canvas =
-        draw_picture({snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage}, tank);
+        draw({snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage}, tank);
     CHECK(share_of(canvas, palette::ice) == doctest::Approx(0.5 * whole).epsilon(0.1));
     CHECK(share_of(canvas, palette::failed_ice) == doctest::Approx(0.5 * whole).epsilon(0.1));
 }
@@ -138,35 +139,6 @@ TEST_CASE("each sample goes to the nearest particle, and to the lower number of 
     for (const float light : shading(splat({}, 1.0, view, 4, 4), view, 1.0)) CHECK(light == 1.0f);
 }
 
-TEST_CASE("text leaves ink where it is put, and parts outside are cut off") {
-    Canvas canvas(100, 40);
-    canvas.text({50.0, 20.0}, Align::center, 16.0, "speed √η");
-    CHECK(share_of(canvas, palette::paper) < 0.97);
-    canvas.text({-20.0, 60.0}, Align::left, 30.0, "outside");
-    canvas.line({-50.0, -50.0}, {200.0, 200.0}, 2.0, palette::ink);
-    canvas.rectangle({90.0, 30.0}, {500.0, 500.0}, palette::rigid);
-    CHECK(canvas.at(99, 39) == palette::rigid);
-}
-
-TEST_CASE("the PNG reads back pixel by pixel, and repeats byte by byte") {
-    const TemporaryFolder folder;
-    Canvas canvas(30, 20, Color{10, 20, 30});
-    canvas.rectangle({0.0, 0.0}, {5.0, 3.0}, Color{200, 100, 50});
-    canvas.write_png(folder / "a.png", test_provenance());
-    canvas.write_png(folder / "b.png", test_provenance());
-    CHECK(read_text(folder / "a.png") == read_text(folder / "b.png"));
-    CHECK(read_text(folder / "a.png").find("tidewater-test a.toml") != std::string::npos);
-    vtkNew<vtkPNGReader> reader;
-    reader->SetFileName((folder / "a.png").c_str());
-    reader->Update();
-    vtkImageData* image = reader->GetOutput();
-    CHECK(image->GetDimensions()[0] == 30);
-    CHECK(image->GetDimensions()[1] == 20);
-    CHECK(image->GetScalarComponentAsDouble(2, 18, 0, 0) == 200.0);
-    CHECK(image->GetScalarComponentAsDouble(20, 2, 0, 2) == 30.0);
-    CHECK_THROWS_AS(canvas.write_png(folder / "no/a.png", test_provenance()), OutputError);
-}
-
 TEST_CASE("a window shows its part of the tank alone, to its own scale") {
     PictureSettings window = tank;
     window.low = {2.0, 0.0, 0.5};
@@ -192,5 +164,5 @@ TEST_CASE("the ground is drawn within the window alone") {
     const double frame = 370.0 * 740.0 / (canvas.width() * canvas.height());
     CHECK(share_of(canvas, palette::ground) == doctest::Approx(0.2 * frame).epsilon(0.1));
     settings.low[2] = 1.5;
-    CHECK(share_of(draw(Snapshot{}, settings), palette::ground) == 0.0);
+    CHECK(share_of(draw(Snapshot{}, settings), palette::ground) < 0.001);  // of the legend
 }

@@ -6,6 +6,7 @@
 
 #include "core/files.h"
 #include "core/parallel.h"
+#include "io/rasterise.h"
 #include "unit/io/fixture.h"
 
 using namespace tidewater;
@@ -39,6 +40,8 @@ SectionSettings tank(int dimension) {
     return settings;
 }
 
+Canvas pixels(const SectionPicture& picture) { return rasterise(picture.drawing.svg(test_provenance())); }
+
 Color color_at(const Canvas& canvas, Pixel at) {
     return canvas.at(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
 }
@@ -57,9 +60,8 @@ bool same_pixels(const Canvas& a, const Canvas& b) {
 TEST_CASE("a section shows at each place the colour of what is there") {
     for (const int dimension : {2, 3}) {
         const SectionPicture picture = draw_section(tank(dimension));
-        const auto at = [&](double x, double z) {
-            return color_at(picture.canvas, picture.section.at(x, z));
-        };
+        const Canvas canvas = pixels(picture);
+        const auto at = [&](double x, double z) { return color_at(canvas, picture.section.at(x, z)); };
         CHECK(at(20.0, 60.0) == palette::ice);
         CHECK(at(20.0, 95.0) == palette::air);
         CHECK(at(20.0, 10.0) == palette::ground);
@@ -74,15 +76,17 @@ TEST_CASE("a crack much thinner than a pixel shows") {
     SectionSettings settings = tank(2);
     settings.width = 400;
     const SectionPicture picture = draw_section(settings);
+    const Canvas canvas = pixels(picture);
     CHECK(picture.section.high.x - picture.section.low.x < 400.0);  // more than 1 m a pixel
-    const Color color = color_at(picture.canvas, picture.section.at(50.0, 50.0));
+    const Color color = color_at(canvas, picture.section.at(50.0, 50.0));
     CHECK(to_oklab(color)[0] < to_oklab(palette::ice)[0] - 0.1);
 }
 
 TEST_CASE("a plan shows ice, land, depths and the front, at one scale along both axes") {
     const SectionPicture picture = draw_section(tank(3));
+    const Canvas canvas = pixels(picture);
     const Panel& plan = picture.plan;
-    const auto at = [&](double x, double y) { return color_at(picture.canvas, plan.at(x, y)); };
+    const auto at = [&](double x, double y) { return color_at(canvas, plan.at(x, y)); };
     CHECK(at(50.0, 50.0) == ice_height_color(1.0));
     CHECK(at(200.0, 50.0) == depth_color(1.0));
     CHECK(at(350.0, 50.0) == depth_color(20.0 / 50.0));
@@ -94,7 +98,7 @@ TEST_CASE("a plan shows ice, land, depths and the front, at one scale along both
     CHECK(plan.low.x == picture.section.low.x);
     CHECK(plan.high.x == picture.section.high.x);
     const SectionPicture flat = draw_section(tank(2));
-    CHECK(flat.canvas.height() < picture.canvas.height() - 500);
+    CHECK(flat.drawing.height() < picture.drawing.height() - 500);
 }
 
 TEST_CASE("cracks and crevasses open to the water are no front") {
@@ -103,13 +107,14 @@ TEST_CASE("cracks and crevasses open to the water are no front") {
         return std::abs(y - 100.0) < 1.0 && x < 100.0 ? Top{Substance::water, 70.0, 20.0} : seen(x, y);
     };
     const SectionPicture picture = draw_section(settings);
+    const Canvas canvas = pixels(picture);
     int orange = 0;
     for (double x = 0.0; x < 90.0; x += 0.1) {
         for (double y = 95.0; y < 105.0; y += 0.1)
-            orange += color_at(picture.canvas, picture.plan.at(x, y)) == front_color;
+            orange += color_at(canvas, picture.plan.at(x, y)) == front_color;
     }
     CHECK(orange == 0);
-    CHECK(color_at(picture.canvas, picture.plan.at(99.8, 90.0)) == front_color);
+    CHECK(color_at(canvas, picture.plan.at(99.8, 90.0)) == front_color);
 }
 
 TEST_CASE("heights of a long thin scene are exaggerated by a round number, others are not") {
@@ -117,6 +122,7 @@ TEST_CASE("heights of a long thin scene are exaggerated by a round number, other
     CHECK(draw_section(settings).exaggeration == 1.0);
     settings.high = {4500.0, 0.0, 335.0};
     const SectionPicture picture = draw_section(settings);
+    const Canvas canvas = pixels(picture);
     CHECK(picture.exaggeration == 2.5);
     const Panel& panel = picture.section;
     const double vertical = (panel.high.y - panel.low.y) / 335.0,
@@ -128,8 +134,9 @@ TEST_CASE("a dimension line stands where it is asked for, with its text on paper
     SectionSettings settings = tank(2);
     settings.measures = {{130.0, 70.0, 90.0, "cliff 20 m"}};
     const SectionPicture picture = draw_section(settings);
-    CHECK(color_at(picture.canvas, picture.section.at(130.0, 80.0)) == line_color(1));
-    CHECK(!(color_at(picture.canvas, picture.section.at(130.0, 60.0)) == line_color(1)));
+    const Canvas canvas = pixels(picture);
+    CHECK(color_at(canvas, picture.section.at(130.0, 80.0)) == line_color(1));
+    CHECK(!(color_at(canvas, picture.section.at(130.0, 60.0)) == line_color(1)));
 }
 
 TEST_CASE("the same functions give the same picture on any number of threads, which is written as a PNG") {
@@ -141,8 +148,8 @@ TEST_CASE("the same functions give the same picture on any number of threads, wh
         return draw_section(settings);
     };
     const SectionPicture first = draw(1);
-    CHECK(same_pixels(first.canvas, draw(3).canvas));
-    first.canvas.write_png(folder / "section.png", test_provenance());
+    CHECK(same_pixels(pixels(first), pixels(draw(3))));
+    pixels(first).write_png(folder / "section.png", test_provenance());
     CHECK(read_text(folder / "section.png").substr(1, 3) == "PNG");
 }
 
@@ -155,7 +162,7 @@ TEST_CASE("scenes without water, without ice and with nothing at all are drawn")
         settings.at = [=](double, double, double) { return everywhere; };
         settings.top = [=](double, double) { return Top{everywhere, 50.0, 50.0}; };
         settings.gauges = {{200.0, 100.0}};
-        CHECK(draw_section(settings).canvas.width() > 0);
+        CHECK(draw_section(settings).drawing.width() > 0);
     }
 }
 

@@ -49,6 +49,18 @@ TEST_CASE("grows under its .part name, row by row, and leaves nothing if it is n
     CHECK(folder.file_count() == 0);
 }
 
+TEST_CASE("of a table that still grows the rows count that are whole") {
+    const TemporaryFolder folder;
+    write_text(folder / "a.csv.part", "time,x\n0,1\n0.5,2\n1,");
+    const Table table = read_table(folder / "a.csv.part");
+    CHECK(table.values[0] == std::vector<double>{0.0, 0.5});
+    CHECK(table.values[1] == std::vector<double>{1.0, 2.0});
+    write_text(folder / "a.csv.part", "time,x\n0,1\n0.5,2\n1,3");  // 3 may be the start of 35
+    CHECK(read_table(folder / "a.csv.part").row_count() == 2);
+    write_text(folder / "a.csv", "time,x\n0,1\n0.5,");
+    CHECK(input_error([&] { read_table(folder / "a.csv"); }).find("a.csv:3: ") != std::string::npos);
+}
+
 TEST_CASE("a table that goes on behind an earlier one's text is the same as one written at once") {
     const TemporaryFolder folder;
     TableWriter whole(folder / "whole.csv", test_provenance(), {"time", "x=2"});

@@ -52,6 +52,23 @@ TEST_CASE("a run is read with the wave that is higher, from where it was greates
     CHECK(read_case(write_run(folder, "b").string()).label == "b");
 }
 
+TEST_CASE("the speed of long waves is that of the higher wave's way, else of the first that has one") {
+    const test::TemporaryFolder folder;
+    const auto run = write_run(folder, "a"), results = run / "postprocess";
+    CHECK(std::isnan(read_case(run.string()).long_waves));
+    write_text(results / "long_waves.csv", "direction,celerity,error\n1,3.2,0.1\n-1,3.1,0.02\n");
+    const Case c = read_case(run.string());
+    CHECK(c.long_waves == 3.1);
+    CHECK(c.long_waves_error == 0.02);
+    write_text(results / "long_waves.csv", "direction,celerity,error\n1,3.2,0.1\n-1,nan,nan\n");
+    CHECK(std::isnan(read_case(run.string()).long_waves));
+    write_text(results / "tsunami.csv",
+               std::string(names) +
+                   "1,230,1.0,0.4,0.32,0.5,0.23,0.07,0.05,nan,nan,nan,nan,nan,nan,nan,3.132,nan,"
+                   "nan,-100,70,30,0.5\n");
+    CHECK(read_case(run.string()).long_waves == 3.2);
+}
+
 TEST_CASE("the wave in 3D follows from the simulated speed or from the laboratory's") {
     const test::TemporaryFolder folder;
     const Case c = read_case("GF=" + write_run(folder, "a").string());

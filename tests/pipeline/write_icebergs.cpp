@@ -1,0 +1,104 @@
+// write_icebergs SCENE RUN: the files of simulate, as a run would leave them in which the front 30 m of a
+// glacier, 100 m long and 40 m high, come off at 1 s, split in two at 2 s, of which the smaller grows to the
+// glacier again at 3 s and the larger melts away at 4 s, beside 250 boxes of sizes drawn from a power law of
+// exponent 1.5 with a cut-off at 2000 m². For tests of postprocess in 2D.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "analysis/size_distribution.h"
+#include "core/files.h"
+#include "core/types.h"
+#include "io/snapshot.h"
+#include "io/table.h"
+#include "scene/scene.h"
+
+namespace {
+
+using namespace tidewater;
+
+constexpr double length = 100.0, height = 40.0, base = 60.0, front = 30.0, small_piece = 10.0;
+constexpr float never = std::numeric_limits<float>::quiet_NaN();
+
+const Provenance provenance{"write_icebergs", program_version(), "write_icebergs", "0", 1};
+
+struct Motion {
+    double x = 0.0, speed_x = 0.0, speed_z = 0.0;  // how far it has moved, m, and with which velocity, m/s
+    bool intact = true;
+};
+
+// d behind the front.
+Motion motion(double d, int frame) {
+    if (d > front || frame == 0) return {};
+    const bool small = d > front - small_piece;  // the rear part of what comes off
+    if (frame == 1) return {8.0, 1.5, -0.25};
+    if (small) return {frame == 2 ? 8.0 : 0.0, 0.0, 0.0};
+    return {14.0, 1.5, -0.25, frame < 4};
+}
+
+io::Snapshot frame(const scene::Scene& scene, int number, const std::vector<double>& sizes) {
+    io::Snapshot snapshot;
+    snapshot.time = number;
+    const double spacing = scene.domain.cell_size / scene.particles.per_axis;
+    const auto add = [&](double x, double z, const Motion& m) {
+        for (const double part : {x + m.x, 0.0, z}) snapshot.points.push_back(static_cast<float>(part));
+        for (const double part : {m.speed_x, 0.0, m.speed_z})
+            snapshot.velocity.push_back(static_cast<float>(part));
+        snapshot.pressure.push_back(0.0f);
+        snapshot.volume.push_back(static_cast<float>(spacing * spacing));
+        snapshot.material.push_back(static_cast<std::uint8_t>(Material::ice));
+        snapshot.id.push_back(static_cast<std::uint32_t>(snapshot.id.size()));
+        snapshot.damage.push_back(m.intact ? 0.0f : 1.0f);
+        snapshot.failure_time.push_back(m.intact ? never : 3.5f);
+    };
+    for (double z = base + 0.5 * spacing; z < base + height; z += spacing) {
+        for (double x = 0.5 * spacing; x < length; x += spacing) add(x, z, motion(length - x, number));
+    }
+    double left = length + 60.0;
+    for (const double size : sizes) {
+        const double across = std::max(1.0, std::round(std::sqrt(size))), up = std::round(size / across);
+        for (double z = 0.0; z < up; z += 1.0) {
+            for (double x = 0.0; x < across; x += 1.0) add(left + spacing * x, 50.0 + spacing * z, {});
+        }
+        left += spacing * across + 2.5;
+    }
+    return snapshot;
+}
+
+void write_run(const std::filesystem::path& scene_file, const std::filesystem::path& run) {
+    const scene::Scene scene = scene::read_scene(scene_file);
+    const analysis::SizeFit law{.model = analysis::SizeModel::power_law, .exponent = 2.0};
+    const std::vector<double> sizes = analysis::draw_sizes(law, 30.0, 250, 11, 0);
+    const auto folder = run / "simulate";
+    make_output_folder(folder);
+    write_text(folder / "scene.toml", scene::resolved_text(scene));
+    io::TableWriter gauges(folder / "gauges.csv", provenance, {"time"});
+    io::TableWriter ledger(folder / "ledger.csv", provenance,
+                           {"time", "kinetic", "gravitational", "elastic", "boundary_work"});
+    for (int number = 0; number < 5; ++number) {
+        io::write_snapshot(folder / io::snapshot_name(static_cast<std::size_t>(number)),
+                           frame(scene, number, sizes), provenance);
+        gauges.append(std::array{static_cast<double>(number)});
+        ledger.append(std::array{static_cast<double>(number), 0.0, 0.0, 0.0, 0.0});
+    }
+    gauges.finish();
+    ledger.finish();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        if (argc != 3) throw std::invalid_argument("needs SCENE RUN");
+        write_run(argv[1], argv[2]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "write_icebergs: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
