@@ -102,6 +102,12 @@ def color_by(display, where, name, view, low, high, title, points=None, preset="
     display.SetScalarBarVisibility(view, True)
 
 
+def paint(display, color):
+    """One colour; ColorBy(display, None) fails where there was no array before."""
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = color
+
+
 def color_water(display, where, options, view, fastest, highest):
     if options.water == "elevation" and highest > 0.0:
         color_by(display, where, "elevation", view, -highest, highest, "elevation (m)", preset="Cool to Warm")
@@ -118,8 +124,7 @@ def color_ice(display, where, source, name, view):
         most = max(abs(found[0]), abs(found[1]), 1.0)
         color_by(display, where, name, view, -most, most, "greatest stress (Pa)", preset="Cool to Warm", bar=1)
     else:
-        ColorBy(display, None)
-        display.AmbientColor = display.DiffuseColor = PALE_BLUE
+        paint(display, PALE_BLUE)
 
 
 def color_icebergs(display, source, view):
@@ -163,8 +168,7 @@ def show_particles(particles, options, view, flat, surfaces, fastest, highest):
         color_ice(show_points(ice, radius, view), "POINTS", ice, name, view)
     if rigid and (flat or not surfaces):
         display = show_points(rigid, radius, view)
-        ColorBy(display, None)
-        display.AmbientColor = display.DiffuseColor = ROCK
+        paint(display, ROCK)
 
 
 def show_surfaces(water, bodies, options, view, flat, fastest, highest):
@@ -172,8 +176,7 @@ def show_surfaces(water, bodies, options, view, flat, fastest, highest):
         display = Show(water, view)
         display.LineWidth = 2.0
         if flat:  # a line above the water's particles
-            ColorBy(display, None)
-            display.AmbientColor = display.DiffuseColor = [0.05, 0.15, 0.35]
+            paint(display, [0.05, 0.15, 0.35])
         else:
             display.Opacity = 0.85
             color_water(display, "POINTS", options, view, fastest, highest)
