@@ -82,6 +82,11 @@ def material(particles, number, name):
     return part if part.GetDataInformation().GetNumberOfPoints() > 0 else None
 
 
+def color_plainly(display, color):
+    display.ColorArrayName = [None, ""]
+    display.AmbientColor = display.DiffuseColor = color
+
+
 def color_by(display, where, name, view, low, high, title, points=None, preset="Viridis (matplotlib)", bar=0):
     ColorBy(display, (where, name))
     table = GetColorTransferFunction(name)
@@ -118,8 +123,7 @@ def color_ice(display, where, source, name, view):
         most = max(abs(found[0]), abs(found[1]), 1.0)
         color_by(display, where, name, view, -most, most, "greatest stress (Pa)", preset="Cool to Warm", bar=1)
     else:
-        ColorBy(display, None)
-        display.AmbientColor = display.DiffuseColor = PALE_BLUE
+        color_plainly(display, PALE_BLUE)
 
 
 def color_icebergs(display, source, view):
@@ -163,8 +167,7 @@ def show_particles(particles, options, view, flat, surfaces, fastest, highest):
         color_ice(show_points(ice, radius, view), "POINTS", ice, name, view)
     if rigid and (flat or not surfaces):
         display = show_points(rigid, radius, view)
-        ColorBy(display, None)
-        display.AmbientColor = display.DiffuseColor = ROCK
+        color_plainly(display, ROCK)
 
 
 def show_surfaces(water, bodies, options, view, flat, fastest, highest):
@@ -172,13 +175,14 @@ def show_surfaces(water, bodies, options, view, flat, fastest, highest):
         display = Show(water, view)
         display.LineWidth = 2.0
         if flat:  # a line above the water's particles
-            ColorBy(display, None)
-            display.AmbientColor = display.DiffuseColor = [0.05, 0.15, 0.35]
+            color_plainly(display, [0.05, 0.15, 0.35])
         else:
             display.Opacity = 0.85
             color_water(display, "POINTS", options, view, fastest, highest)
     if bodies and (not flat or options.ice == "iceberg"):
         display = Show(bodies, view)
+        if flat:
+            display.Ambient, display.Diffuse = 1.0, 0.0  # colours as they are, without light
         color_icebergs(display, bodies, view)
 
 
