@@ -37,7 +37,8 @@ std::string log_label(int factor, int exponent) {
 
 Ticks make_ticks(double low, double high, int greatest_count) {
     assert(low <= high && greatest_count >= 2);
-    if (low == high) return {{low}, {format_number(low)}};
+    const bool apart = high - low > 1e-12 * std::max(std::abs(low), std::abs(high));  // or no step is
+    if (!apart) return {{low}, {format_number(low)}};
     const double step = tick_step(high - low, greatest_count);
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
     Ticks ticks;

@@ -12,7 +12,7 @@ struct Ticks {
 };
 
 // Steps of 1, 2 or 5 times a power of ten, at most `greatest_count` >= 2 of them. low <= high, both finite;
-// where they are equal there is one tick.
+// where they are equal, or the same but for rounding, there is one tick.
 Ticks make_ticks(double low, double high, int greatest_count);
 
 // Of a logarithmic axis from 10^low to 10^high: powers of ten, "0.01", "100", "10⁵", at most

@@ -25,15 +25,24 @@ Ticks ChartAxis::ticks(int greatest_count) const {
                        : make_log_ticks(std::log10(low), std::log10(high), greatest_count);
 }
 
+namespace {
+
+// Whether all values are the same but for rounding, which needs no axis of its own.
+bool holds_one_value(const Range& range) {
+    return range.high - range.low <= 1e-9 * std::max(std::abs(range.low), std::abs(range.high));
+}
+
+}  // namespace
+
 ChartAxis axis_around(const Range& range, double free_share, bool logarithmic) {
     if (logarithmic) {
         if (range.low > range.high) return {0.1, 1.0, true};
-        if (range.low == range.high) return {range.low / std::sqrt(10.0), range.high * std::sqrt(10.0), true};
+        if (holds_one_value(range)) return {range.low / std::sqrt(10.0), range.high * std::sqrt(10.0), true};
         const double factor = std::pow(range.high / range.low, free_share);
         return {range.low / factor, range.high * factor, true};
     }
     if (range.low > range.high) return {0.0, 1.0};
-    if (range.low == range.high) return {range.low - 0.5, range.high + 0.5};
+    if (holds_one_value(range)) return {range.low - 0.5, range.high + 0.5};
     const double free = free_share * (range.high - range.low);
     return {range.low - free, range.high + free};
 }

@@ -1,8 +1,7 @@
 // write_icebergs SCENE RUN: the files of simulate, as a run would leave them in which the front 30 m of a
 // glacier, 100 m long and 40 m high, come off at 1 s, split in two at 2 s, of which the smaller grows to the
-// glacier again at 3 s and the larger melts away at 4 s, beside 250 boxes of sizes drawn from a power law of
-// exponent 1.5 with a cut-off at 2000 m². For tests of postprocess in 2D.
-#include <algorithm>
+// glacier again at 3 s and the larger melts away at 4 s, beside 250 boxes of sizes by a power law of exponent
+// 2 from 60 m² on. For tests of postprocess in 2D.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -11,7 +10,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/size_distribution.h"
 #include "core/files.h"
 #include "core/types.h"
 #include "io/snapshot.h"
@@ -22,7 +20,9 @@ namespace {
 
 using namespace tidewater;
 
-constexpr double length = 100.0, height = 40.0, base = 60.0, front = 30.0, small_piece = 10.0;
+constexpr double length = 100.0, height = 40.0, base = 60.0, front = 30.0, small_piece = 10.0,
+                 smallest_box = 60.0;
+constexpr int boxes = 250;
 constexpr float never = std::numeric_limits<float>::quiet_NaN();
 
 const Provenance provenance{"write_icebergs", program_version(), "write_icebergs", "0", 1};
@@ -61,9 +61,11 @@ io::Snapshot frame(const scene::Scene& scene, int number, const std::vector<doub
     }
     double left = length + 60.0;
     for (const double size : sizes) {
-        const double across = std::max(1.0, std::round(std::sqrt(size))), up = std::round(size / across);
-        for (double z = 0.0; z < up; z += 1.0) {
-            for (double x = 0.0; x < across; x += 1.0) add(left + spacing * x, 50.0 + spacing * z, {});
+        const double across = std::round(std::sqrt(size));
+        for (int i = 0; i < static_cast<int>(std::lround(size));
+             ++i) {  // row by row; the last one is cut short
+            const double up = std::floor(i / across), along = i - across * up;
+            add(left + spacing * along, 50.0 + spacing * up, {});
         }
         left += spacing * across + 2.5;
     }
@@ -72,8 +74,8 @@ io::Snapshot frame(const scene::Scene& scene, int number, const std::vector<doub
 
 void write_run(const std::filesystem::path& scene_file, const std::filesystem::path& run) {
     const scene::Scene scene = scene::read_scene(scene_file);
-    const analysis::SizeFit law{.model = analysis::SizeModel::power_law, .exponent = 2.0};
-    const std::vector<double> sizes = analysis::draw_sizes(law, 30.0, 250, 11, 0);
+    std::vector<double> sizes;  // the law's quantiles, so that no chance of drawing comes in
+    for (int i = 0; i < boxes; ++i) sizes.push_back(smallest_box / (1.0 - (i + 0.5) / boxes));
     const auto folder = run / "simulate";
     make_output_folder(folder);
     write_text(folder / "scene.toml", scene::resolved_text(scene));

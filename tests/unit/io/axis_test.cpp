@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace tidewater::io;
 
 TEST_CASE("ticks are round, within the range, and not too many") {
@@ -24,6 +26,7 @@ TEST_CASE("labels have just the decimals of the step") {
 
 TEST_CASE("a range of no length has one tick") {
     CHECK(make_ticks(2.5, 2.5, 5).labels == std::vector<std::string>{"2.5"});
+    CHECK(make_ticks(2132.0, std::nextafter(2132.0, 1e4), 5).labels == std::vector<std::string>{"2132"});
 }
 
 TEST_CASE("a logarithmic axis has powers of ten, and more where there are few") {

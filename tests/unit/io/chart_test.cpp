@@ -165,6 +165,14 @@ TEST_CASE("logarithmic charts with nothing to show, with one point or a short ra
     CHECK(count(draw_chart(chart, test_provenance()), ">3.1<") == 1);
 }
 
+TEST_CASE("a line that is level but for rounding is drawn as a level one") {
+    for (const double value : {2132.0, 3e11, -4.5}) {
+        ChartPanel panel{.title = {}, .y_label = "y", .lines = {}, .marks = {}};
+        panel.lines = {{.label = {}, .x = {0, 1}, .y = {value, std::nextafter(value, 1e300)}}};
+        CHECK(well_formed(draw_chart({.title = "t", .x_label = "x", .panels = {panel}}, test_provenance())));
+    }
+}
+
 TEST_CASE("charts without panels, lines, points or extent are well-formed too") {
     Chart chart{.title = "empty", .x_label = "x", .panels = {}};
     CHECK(well_formed(draw_chart(chart, test_provenance())));
