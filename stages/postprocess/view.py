@@ -82,6 +82,11 @@ def material(particles, number, name):
     return part if part.GetDataInformation().GetNumberOfPoints() > 0 else None
 
 
+def color_plainly(display, color):
+    display.ColorArrayName = [None, ""]
+    display.AmbientColor = display.DiffuseColor = color
+
+
 def color_by(display, where, name, view, low, high, title, points=None, preset="Viridis (matplotlib)", bar=0):
     ColorBy(display, (where, name))
     table = GetColorTransferFunction(name)
@@ -102,12 +107,6 @@ def color_by(display, where, name, view, low, high, title, points=None, preset="
     display.SetScalarBarVisibility(view, True)
 
 
-def paint(display, color):
-    """One colour; ColorBy(display, None) fails where there was no array before."""
-    display.ColorArrayName = ["POINTS", ""]
-    display.AmbientColor = display.DiffuseColor = color
-
-
 def color_water(display, where, options, view, fastest, highest):
     if options.water == "elevation" and highest > 0.0:
         color_by(display, where, "elevation", view, -highest, highest, "elevation (m)", preset="Cool to Warm")
@@ -124,7 +123,7 @@ def color_ice(display, where, source, name, view):
         most = max(abs(found[0]), abs(found[1]), 1.0)
         color_by(display, where, name, view, -most, most, "greatest stress (Pa)", preset="Cool to Warm", bar=1)
     else:
-        paint(display, PALE_BLUE)
+        color_plainly(display, PALE_BLUE)
 
 
 def color_icebergs(display, source, view):
@@ -168,7 +167,7 @@ def show_particles(particles, options, view, flat, surfaces, fastest, highest):
         color_ice(show_points(ice, radius, view), "POINTS", ice, name, view)
     if rigid and (flat or not surfaces):
         display = show_points(rigid, radius, view)
-        paint(display, ROCK)
+        color_plainly(display, ROCK)
 
 
 def show_surfaces(water, bodies, options, view, flat, fastest, highest):
@@ -176,12 +175,14 @@ def show_surfaces(water, bodies, options, view, flat, fastest, highest):
         display = Show(water, view)
         display.LineWidth = 2.0
         if flat:  # a line above the water's particles
-            paint(display, [0.05, 0.15, 0.35])
+            color_plainly(display, [0.05, 0.15, 0.35])
         else:
             display.Opacity = 0.85
             color_water(display, "POINTS", options, view, fastest, highest)
     if bodies and (not flat or options.ice == "iceberg"):
         display = Show(bodies, view)
+        if flat:
+            display.Ambient, display.Diffuse = 1.0, 0.0  # colours as they are, without light
         color_icebergs(display, bodies, view)
 
 
