@@ -90,7 +90,7 @@ touch mark && sleep 0.05
 postprocess --set postprocess.iceberg_volume=500
 expect_code 0
 rows $out/icebergs.csv volume | awk '$1 < 500 { exit 1 }' || fail_case "there are smaller ones"
-expect_same "$(find $out -name '*.png' -newer mark | wc -l)" 0
+expect_same "$(find $out -name 'frame_t=*.png' -newer mark | wc -l)" 0
 
 case_named "a reach that bridges the gaps leaves one glacier and fewer boxes"
 postprocess --set postprocess.iceberg_reach=4
