@@ -59,8 +59,8 @@ using AnyMember =
                  Member<mpm::WallRule>, Member<mpm::PistonMotion>, Member<mpm::Moduli>,
                  Member<mpm::ShearReturn>, Member<mpm::WaterScheme>, Member<mpm::WaterTension>,
                  Member<mpm::Transfer>, Member<mpm::BodyContact>, Member<IceBase>, Member<BedShape>,
-                 Member<Nodata>, Member<Pattern>, Member<Softening>, Member<HardeningLimit>,
-                 Member<Precision>, Member<analysis::WaveKind>>;
+                 Member<Nodata>, Member<IceColors>, Member<Pattern>, Member<Softening>,
+                 Member<HardeningLimit>, Member<Precision>, Member<analysis::WaveKind>>;
 
 // Stages that read a key, as bits.
 constexpr unsigned by(Stage stage) { return 1u << static_cast<unsigned>(stage); }

@@ -39,6 +39,13 @@ constexpr std::array keys{
         .range = not_negative,
         .stages = by_postprocess,
         .help = "upper end of the colour scale; 0: the run's own"},
+    Key{.name = "postprocess.picture_ice",
+        .member = member<&S::postprocess, &S::Postprocess::picture_ice>(),
+        .effect = "ice",
+        .stages = by_postprocess,
+        .help =
+            "what colours ice; damage: how much strength it has lost; iceberg: its number in icebergs.csv, "
+            "and damage what is in none"},
     Key{.name = "postprocess.picture_window",
         .unit = "m",
         .member = member<&S::postprocess, &S::Postprocess::picture_window>(),

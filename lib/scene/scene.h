@@ -33,6 +33,7 @@ enum class HardeningLimit { start, none };
 enum class IceBase { given, bed, floating };                  // what the ice's lower side follows
 enum class BedShape { straight, smooth };                     // of the ground between corners
 enum class Nodata { refuse, fill };                           // of an elevation model's holes
+enum class IceColors { damage, iceberg };                     // of pictures
 enum class Pattern { lattice, blue_noise };                   // of particles
 enum class Precision { single_precision, double_precision };  // "float", "double" in the file
 
@@ -194,11 +195,12 @@ struct Scene {
     } simulate;
 
     struct Postprocess {
-        Points gauges;                       // further gauges, read from the snapshots
-        std::vector<double> picture_times;   // s; empty: five, evenly spread
-        double picture_interval = 0.0;       // s, between pictures; 0: picture_times
-        int picture_width = 1600;            // pixels
-        double picture_speed = 0.0;          // m/s, the colour scale's upper end; 0: the run's own
+        Points gauges;                      // further gauges, read from the snapshots
+        std::vector<double> picture_times;  // s; empty: five, evenly spread
+        double picture_interval = 0.0;      // s, between pictures; 0: picture_times
+        int picture_width = 1600;           // pixels
+        double picture_speed = 0.0;         // m/s, the colour scale's upper end; 0: the run's own
+        IceColors picture_ice = IceColors::damage;
         std::vector<double> picture_window;  // m: x0, z0, x1, z1 of the part to draw; empty: all
         int decimation = 1;                  // of the particles for ParaView one in so many is kept; 0: none
         bool surfaces = true;                // of water and bodies, for ParaView

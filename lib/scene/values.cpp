@@ -35,6 +35,8 @@ constexpr std::array enum_names<BedShape>{"straight", "smooth"};
 template <>
 constexpr std::array enum_names<Nodata>{"refuse", "fill"};
 template <>
+constexpr std::array enum_names<IceColors>{"damage", "iceberg"};
+template <>
 constexpr std::array enum_names<Pattern>{"lattice", "blue_noise"};
 template <>
 constexpr std::array enum_names<Softening>{"paper", "crack_band"};

@@ -98,7 +98,7 @@ void work_on_waves(const StageContext& context, const Waves& waves, const Surfac
 // What is made of single frames, and only of those that need it.
 void work_on_frames(const StageContext& context, const Frames& frames, const Ground& ground, Stamps& stamps) {
     const auto chosen = choose_pictures(frames.times, context.scene);
-    // Icebergs and the surface first, for ParaView's files show them.
+    // Icebergs and the surface first, for pictures and ParaView's files show them.
     const FrameProduct icebergs = icebergs_product(context, frames, ground);
     const FrameProduct surface = surface_product(context, ground);
     const ParaviewProducts paraview = paraview_products(context, icebergs, surface);
@@ -112,7 +112,7 @@ void work_on_frames(const StageContext& context, const Frames& frames, const Gro
                               paraview.iceberg_surfaces};
     make_frame_products(context, frames, products, "frames", stamps);
     write_collections(context, frames, paraview);
-    make_pictures(context, frames, chosen, ground, stamps);
+    make_pictures(context, frames, chosen, ground, icebergs, stamps);
     stamps.remove_unclaimed();
 }
 

@@ -16,6 +16,7 @@
 #include "io/slides.h"
 #include "io/table.h"
 #include "io/text.h"
+#include "particles.h"
 
 namespace tidewater::postprocess {
 namespace {
@@ -116,23 +117,35 @@ std::vector<std::filesystem::path> picture_paths(const StageContext& context, co
 
 // The keys that a picture shows, and the scale of its colours.
 std::string picture_depends_on(const scene::Scene& scene, const io::PictureSettings& settings) {
-    constexpr std::array<std::string_view, 6> keys{"title",
+    constexpr std::array<std::string_view, 7> keys{"title",
                                                    "simulate.gauges",
                                                    "postprocess.gauges",
                                                    "postprocess.picture_width",
                                                    "postprocess.picture_window",
-                                                   "postprocess.picture_speed"};
+                                                   "postprocess.picture_speed",
+                                                   "postprocess.picture_ice"};
     return scene::values_of(scene, keys) + io::format_number(settings.greatest_speed);
 }
 
+// Of each particle, 0 of the glacier and of what is in no iceberg; empty if none were looked for.
+std::vector<std::uint32_t> iceberg_numbers(const std::filesystem::path& folder, std::size_t frame,
+                                           const io::Snapshot& snapshot) {
+    std::vector<std::uint32_t> numbers;
+    for (const std::int32_t iceberg : icebergs_of(folder, frame, snapshot))
+        numbers.push_back(static_cast<std::uint32_t>(std::max(iceberg, 0)));
+    return numbers;
+}
+
 FrameProduct picture_product(const StageContext& context, const Frames& frames,
-                             const std::vector<std::size_t>& chosen, const io::PictureSettings& settings) {
+                             const std::vector<std::size_t>& chosen, const io::PictureSettings& settings,
+                             const FrameProduct& icebergs) {
     const int decimals = time_decimals(frames.times);
+    const bool by_iceberg = context.scene.postprocess.picture_ice == scene::IceColors::iceberg;
     const auto name = [=, &frames](std::size_t frame, const char* ending) {
         return picture_name(frames.times[frame], decimals, ending);
     };
     return {.name = "picture",
-            .settings = picture_depends_on(context.scene, settings),
+            .settings = picture_depends_on(context.scene, settings) + (by_iceberg ? icebergs.settings : ""),
             .files =
                 [=, &chosen](std::size_t frame) {
                     const bool drawn = std::ranges::binary_search(chosen, frame);
@@ -144,8 +157,11 @@ FrameProduct picture_product(const StageContext& context, const Frames& frames,
                                              const Provenance& provenance) {
                     io::PictureSettings of_frame = settings;
                     of_frame.time = snapshot.time;
+                    std::vector<std::uint32_t> numbers;
+                    if (by_iceberg) numbers = iceberg_numbers(folder, frame, snapshot);
                     const io::Drawing picture = io::draw_picture(
-                        {snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage}, of_frame);
+                        {snapshot.points, snapshot.velocity, snapshot.material, snapshot.damage, numbers},
+                        of_frame);
                     io::write_svg_and_png(folder / name(frame, ".svg"), picture.svg(provenance), 1.0,
                                           provenance);
                 },
@@ -217,10 +233,10 @@ FrameProduct speed_product(const StageContext& context, const std::vector<std::s
 }
 
 void make_pictures(const StageContext& context, const Frames& frames, const std::vector<std::size_t>& chosen,
-                   const Ground& ground, Stamps& stamps) {
+                   const Ground& ground, const FrameProduct& icebergs, Stamps& stamps) {
     const io::PictureSettings settings =
         picture_settings(context.scene, ground, speed_scale(context, chosen));
-    const std::array products{picture_product(context, frames, chosen, settings)};
+    const std::array products{picture_product(context, frames, chosen, settings, icebergs)};
     make_frame_products(context, frames, products, "pictures", stamps);
     std::vector<io::Slide> slides;
     const auto paths = picture_paths(context, frames, chosen);

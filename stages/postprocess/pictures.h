@@ -28,8 +28,10 @@ FrameProduct speed_product(const StageContext& context, const std::vector<std::s
 
 // Makes frame_t=<time>.png and .svg of the chosen frames, of which speed_product has been made, and
 // frames.html.
+// `icebergs` is the product before it that writes frames/members_NNNN.h5, by which postprocess.picture_ice =
+// "iceberg" colours ice.
 void make_pictures(const StageContext& context, const Frames& frames, const std::vector<std::size_t>& chosen,
-                   const Ground& ground, Stamps& stamps);
+                   const Ground& ground, const FrameProduct& icebergs, Stamps& stamps);
 
 // frames.mp4 of those pictures, if ffmpeg is there, or a line that says why there is none.
 void make_movie(const StageContext& context, const Frames& frames);
