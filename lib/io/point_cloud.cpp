@@ -68,6 +68,34 @@ void require_read(const std::filesystem::path& path, const QuietVtk& quiet, bool
                    in_one_line(quiet.first_error()) + "; write it again, or copy it again");
 }
 
+std::string read_start(const std::filesystem::path& path) {
+    constexpr std::size_t longest = 65536;
+    std::string text(longest, '\0');
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
+}
+
+void require_known_version(const std::filesystem::path& path, int version, int newest) {
+    if (version <= newest) return;
+    fail(path, "its format version " + std::to_string(version) + " is newer than the " +
+                   std::to_string(newest) + " that is read; write it in an older one");
+}
+
+// VTK's own reader takes a newer file without a word, as far as it understands it.
+void require_xml_version(const std::filesystem::path& path) {
+    constexpr int newest = 2;
+    const std::string text = read_start(path);
+    const auto root = text.find("<VTKFile");
+    const auto attribute = text.find(" version=", root == std::string::npos ? text.size() : root);
+    int version = 0;
+    if (attribute == std::string::npos ||
+        std::sscanf(text.c_str() + attribute, " version=%*[\"']%d", &version) != 1)
+        return;
+    require_known_version(path, version, newest);
+}
+
 bool is_cloud(vtkPointSet& data) {
     if (auto* surface = vtkPolyData::SafeDownCast(&data)) {
         return surface->GetNumberOfLines() + surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0;
@@ -100,6 +128,7 @@ PointCloud take_points(const std::filesystem::path& path, vtkDataObject* data) {
 PointCloud read_xml(const std::filesystem::path& path, vtkXMLReader& reader,
                     const std::set<std::string>& wanted) {
     const QuietVtk quiet;
+    require_xml_version(path);
     reader.UpdateInformation();
     require_read(path, quiet, true);
     vtkDataArraySelection* selection = reader.GetPointDataArraySelection();
@@ -120,18 +149,11 @@ PointCloud read_xml(const std::filesystem::path& path, vtkXMLReader& reader,
 // The first lines of a legacy file tell its version and how many points there are, of which type. VTK's own
 // reader crashes where a file ends before it has told.
 void require_legacy_header(const std::filesystem::path& path) {
-    constexpr std::size_t longest = 65536;
     constexpr int newest = 5;
-    std::string text(longest, '\0');
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
+    const std::string text = read_start(path);
     int version = 0;
     const bool has_version = std::sscanf(text.c_str(), "# vtk DataFile Version %d", &version) == 1;
-    if (has_version && version > newest) {
-        fail(path, "its format version " + std::to_string(version) + " is newer than the " +
-                       std::to_string(newest) + " that is read; write it in an older one");
-    }
+    require_known_version(path, version, newest);
     const auto kind = std::min(text.find("DATASET POLYDATA"), text.find("DATASET UNSTRUCTURED_GRID"));
     const bool is_grid = kind == std::string::npos && text.find("DATASET ") != std::string::npos;
     const auto points = text.find("POINTS ");

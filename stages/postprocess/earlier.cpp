@@ -40,7 +40,7 @@ void remove_earlier_results(const std::filesystem::path& folder) {
         R"((gauges|celerity|energy|bodies|energy_split|first_wave|spectra|decay|space_time|run_up|sizes|calving)\.)"
         R"((svg|png)|)"
         R"((gauges|waves|first_wave|long_waves|waves_3d|tsunami|energy_split|spectra|decay|decay_fit|run_up|fragments|)"
-        R"(icebergs|iceberg_summary|iceberg_events|calving|sizes|size_histogram|size_fits)\.csv)(\.part)?)");
+        R"(icebergs|iceberg_summary|iceberg_events|calving|calving_wave|sizes|size_histogram|size_fits)\.csv)(\.part)?)");
     std::error_code error;
     std::vector<std::filesystem::path> found{folder / "report.html"};
     std::filesystem::directory_iterator entry(folder, error);

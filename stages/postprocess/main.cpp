@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "bodies.h"
+#include "calving_wave.h"
 #include "charts.h"
 #include "common/stage.h"
 #include "core/files.h"
@@ -33,8 +34,8 @@
 namespace tidewater::postprocess {
 namespace {
 
-void work_on_icebergs(const StageContext& context, const Frames& frames) {
-    if (!context.scene.has("ice")) return;
+IcebergTables work_on_icebergs(const StageContext& context, const Frames& frames) {
+    if (!context.scene.has("ice")) return {};
     const int dimension = context.scene.dimension;
     const IcebergTables tables = gather_icebergs(context, frames);
     const std::vector<SizeSet> sizes = find_sizes(tables, context.scene);
@@ -47,6 +48,7 @@ void work_on_icebergs(const StageContext& context, const Frames& frames) {
     if (const auto event = read_main_event(context.folder))
         std::fputs(describe(*event, dimension).c_str(), stdout);
     std::fputs((describe(tables, dimension) + describe(sizes)).c_str(), stdout);
+    return tables;
 }
 
 void work_on_long_waves(const StageContext& context, const Tsunami& tsunami,
@@ -144,12 +146,17 @@ void work(StageContext& context) {
     if (!read.empty()) write_gauges(context.folder / "gauges.csv", read, context.provenance);
     std::vector<GaugeRecord> records = inputs.gauges;
     records.insert(records.end(), read.begin(), read.end());
-    work_on_icebergs(context, frames);
+    const IcebergTables icebergs = work_on_icebergs(context, frames);
     const Surfaces surfaces = gather_surfaces(context, frames);
     if (!bodies.empty())
-        work_on_tsunami(context, bodies, find_tsunami(bodies, surfaces.profiles, split, context.scene), records);
+        work_on_tsunami(context, bodies, find_tsunami(bodies, surfaces.profiles, split, context.scene),
+                        records);
     const Waves waves = analyse(std::move(records), context.scene, inputs.ground);
     work_on_waves(context, waves, surfaces);
+    if (const auto wave = find_calving_wave(context, icebergs, waves, inputs.ground, surfaces.front)) {
+        write_calving_wave(context, *wave);
+        std::fputs(describe(*wave).c_str(), stdout);
+    }
     if (!energy.empty()) write_chart(context, "energy", energy);
     write_chart(context, "gauges", gauge_chart(waves, context));
     write_chart(context, "celerity", celerity_chart(waves, context));

@@ -43,6 +43,8 @@ constexpr std::array tables{
     Contents{"decay_fit.csv", "Decay with distance", "Crest = amplitude × (distance/depth)^−exponent."},
     Contents{"long_waves.csv", "Speed of long waves", "From gauge to gauge, by linear dispersion."},
     Contents{"waves_3d.csv", "The wave in 3D", "Eqs. 11 to 13 of the paper, with their ±50 % band."},
+    Contents{"calving_wave.csv", "The ice as a slide",
+             "What the main event sent into the water, by laboratory formulas."},
     Contents{"tsunami.csv", "The wave's source", "Slide parameters, first wave and energies."},
     Contents{"size_fits.csv", "Fits of iceberg sizes", "Maximum likelihood, 95 % intervals."},
 };

@@ -9,11 +9,10 @@
 #include "io/table.h"
 #include "io/text.h"
 #include "wave_source.h"
+#include "waves_3d.h"
 
 namespace tidewater::postprocess {
 namespace {
-
-constexpr const char* outside = "outside the validated range";
 
 std::vector<WaveWay> ways_out(int number, const scene::Scene& scene) {
     std::vector<WaveWay> ways;
@@ -59,7 +58,7 @@ std::string describe_slide(const Tsunami& t) {
     const std::string names = what_is_outside(t.impulse);
     text += "\nF = " + fixed(t.slide.froude(), 3) + ", S = " + fixed(t.slide.thickness_ratio(), 3) +
             ", M = " + fixed(t.slide.mass_ratio(), 3) + "; impulse product P = " + fixed(t.impulse.value, 3);
-    return text + (names.empty() ? "" : " (" + names + " " + outside + ")") + "\n";
+    return text + (names.empty() ? "" : " (" + names + " " + outside_range + ")") + "\n";
 }
 
 std::string describe_way(const WaveWay& way, double reference) {
@@ -87,7 +86,7 @@ std::string describe_in_3d(const Tsunami& t, double amplitude) {
     text += "\nby the impulse product: height " +
             fixed(t.impulse.height(analysis::laboratory_distances.front()), 4) +
             " m in 2D at x/D = " + fixed(analysis::laboratory_distances.front(), 0);
-    return text + (t.impulse.is_valid() ? "" : std::string(", ") + outside) + "\n";
+    return text + (t.impulse.is_valid() ? "" : std::string(", ") + outside_range) + "\n";
 }
 
 std::string describe_energy(const EnergySplit& energy, int dimension) {
@@ -153,25 +152,10 @@ void write_first_wave(const std::filesystem::path& path, const Tsunami& tsunami,
 }
 
 void write_waves_3d(const std::filesystem::path& path, const Tsunami& tsunami, const Provenance& provenance) {
-    io::TableWriter table(
-        path, provenance,
-        {"distance_ratio", "factor", "amplitude_2d", "amplitude_3d_low", "amplitude_3d", "amplitude_3d_high",
-         "amplitude_2d_here", "amplitude_3d_of_here", "impulse_height", "impulse_range"});
     const WaveWay* way = tsunami.higher_way();
     const double greatest = way ? way->wave.greatest.amplitude : analysis::none;
-    for (const double ratio : analysis::laboratory_distances) {
-        const double factor = analysis::radial_factor(tsunami.slide, ratio), middle = factor * greatest;
-        const double here =
-            way ? analysis::amplitude_at(way->wave, ratio * tsunami.slide.depth) : analysis::none;
-        std::vector<std::string> cells;
-        for (const double value :
-             {ratio, factor, greatest, (1.0 - analysis::radial_scatter) * middle, middle,
-              (1.0 + analysis::radial_scatter) * middle, here, factor * here, tsunami.impulse.height(ratio)})
-            cells.push_back(io::format_number(value));
-        cells.push_back(tsunami.impulse.is_valid() ? "validated" : outside);
-        table.append_cells(cells);
-    }
-    table.finish();
+    const auto here = [&](double r) { return way ? analysis::amplitude_at(way->wave, r) : analysis::none; };
+    write_waves_3d(path, tsunami.slide, tsunami.impulse, greatest, here, provenance);
 }
 
 void write_tsunami(const std::filesystem::path& path, const Tsunami& tsunami, const Provenance& provenance) {

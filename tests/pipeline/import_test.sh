@@ -84,7 +84,7 @@ expect_line "tidewater-postprocess: cut.vtp: it is truncated"
 sed 's/version="0.1"/version="9.0"/' sph_1.vtp >newer.vtp
 run "${import[@]}" newer.vtp --map velocity=u:v
 expect_code 3
-expect_line "tidewater-postprocess: newer.vtp: "
+expect_line "tidewater-postprocess: newer.vtp: its format version 9 is newer than the 2 that is read"
 run "$bin/tidewater-postprocess" tank.toml --run flat --particles sph_1.vtp --map velocity=u:v
 expect_code 3
 expect_line "but the scene is in 2D; if that axis is up, pass --up y"

@@ -81,7 +81,7 @@ TEST_CASE("places are the middles of the whole cells of the tank") {
     CHECK(cell_lattice(basin).count() == 140);
 }
 
-TEST_CASE("a block covers the places within a cell of it, at any depth; a crumb of ice covers none") {
+TEST_CASE("a block covers the places within a cell of it, at any depth, and a crumb of ice covers none") {
     Cloud cloud = water_of(plane);
     for (double x = 1.025; x < 1.5; x += 0.05) {
         for (double z = 0.225; z < 0.5; z += 0.05) cloud.add(x, 0.0, z, 0.0025, Material::rigid);

@@ -45,7 +45,7 @@ TEST_CASE("a column that is not named is the array of its own name") {
 TEST_CASE("an unknown column is told with those that there are") {
     CHECK(scene_error([] { parse_column_map("vel=v"); })
               .starts_with("--map: \"vel\" is no column; the columns are velocity, pressure, volume, "
-                           "material, id, damage"));
+                           "material, id, principal_stress, "));
 }
 
 TEST_CASE("what is no entry of a map is told") {

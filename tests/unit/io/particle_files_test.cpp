@@ -227,7 +227,7 @@ TEST_CASE("our own snapshots and collections are read back as they are") {
     CHECK(own.time == ours.time);
     CHECK(read_particle_time(folder / "frame_0000.hdf") == 1.25);
     CHECK(notes_of(folder / "frame_0000.hdf", import).empty());
-    write_particles(folder / "particles_0000.vtp", ours, test_provenance());
+    write_particles(folder / "particles_0000.vtp", ours, {}, test_provenance());
     const Snapshot collected = read_particle_file(folder / "particles_0000.vtp", import);
     for_each_column([&](const auto& column) {
         CAPTURE(column.name);
@@ -377,9 +377,10 @@ TEST_CASE("meshes, grids and files of unknown kinds are refused") {
 
 TEST_CASE("files that are cut off, damaged or of a newer format are told in one line") {
     const TemporaryFolder folder;
-    const auto check = [&](const char* name) {
+    const auto check = [&](const char* name, const char* problem = ": ") {
         CAPTURE(name);
         const std::string line = input_error([&] { read_particle_file(folder / name, import_3d()); });
+        CHECK(line.find(problem) != std::string::npos);
         CHECK(line.starts_with((folder / name).string() + ": "));
         CHECK(line.find('\n') == std::string::npos);
     };
@@ -400,14 +401,14 @@ TEST_CASE("files that are cut off, damaged or of a newer format are told in one 
         }
     }
     write_vtkhdf(folder / "newer.hdf", {3, 0}, 0);
-    check("newer.hdf");
+    check("newer.hdf", "version 3 is newer than this program's 2");
     write_ascii_vtp(folder / "newer.vtp", "9.0");
-    check("newer.vtp");
+    check("newer.vtp", "its format version 9 is newer than the 2 that is read");
     write<vtkPolyDataWriter>(folder / "newer.vtk", poly_data());
     std::string text = read_text(folder / "newer.vtk");
     text.replace(text.find("Version ") + 8, 1, "9");
     write_text(folder / "newer.vtk", text);
-    check("newer.vtk");
+    check("newer.vtk", "its format version 9 is newer than the 5 that is read");
 }
 
 TEST_CASE("a file without particles is read as such") {
