@@ -209,7 +209,8 @@ def place_camera(view, low, high, flat, size):
         view.CameraParallelScale = 0.54 * max(extent[2] * 1.5, extent[0] * size[1] / size[0])
     else:
         view.CameraPosition = [center[0] + 0.75 * reach, center[1] - 1.1 * reach, center[2] + 0.65 * reach]
-        view.ResetCamera(False, 0.9)
+        ResetCamera(view)
+        view.CameraViewAngle = 0.75 * view.CameraViewAngle  # the room that it leaves around
 
 
 def label_time(source, view):
