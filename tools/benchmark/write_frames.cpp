@@ -31,7 +31,7 @@ const Provenance provenance{"write_frames", program_version(), "write_frames", "
 // lengths.
 double cell_size(double count) {
     const double volume = front * width * ice_top + (length - front) * width * depth;
-    for (const double cell : {25.0, 10.0, 5.0, 2.5, 2.0, 1.25, 1.0, 0.5}) {
+    for (const double cell : {25.0, 10.0, 5.0, 10.0 / 3.0, 2.5, 2.0, 1.25, 1.0, 0.5}) {
         if (8.0 * volume / (cell * cell * cell) >= count) return cell;
     }
     throw std::invalid_argument("COUNT is more than 480 million");
