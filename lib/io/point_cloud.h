@@ -4,7 +4,7 @@
 //     .hdf, .vtkhdf, .h5, .hdf5   VTKHDF 1 and 2, unstructured or polydata, at one time
 // Cells, where there are any, must be vertices: the nodes of a mesh are no particles.
 //
-// Test: tests/unit/io/point_cloud_test.cpp
+// Test: tests/unit/io/particle_files_test.cpp
 #pragma once
 
 #include <vtkSmartPointer.h>

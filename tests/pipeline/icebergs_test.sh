@@ -57,6 +57,15 @@ expect_near plane_angle "$(value $event plane_angle)" 90 3
 expect_same "$(value $event icebergs)" 1
 expect_line "main event: between 0.00 and 2.00 s, "
 
+case_named "what came off is a slide into the water before the front, told in 3D too"
+slide=broken/postprocess/calving_wave.csv
+expect_near depth "$(value $slide depth)" 76 1e-9
+expect_near speed "$(value $slide speed)" 1 1e-6
+expect_near F "$(value $slide F)" "$(awk 'BEGIN { print 1 / sqrt(9.81 * 76) }')" 1e-6
+expect_near S "$(value $slide S)" "$(awk 'BEGIN { print 61 / 76 }')" 1e-3
+expect_near M "$(value $slide M)" "$(awk -v m="$(value $slide mass)" 'BEGIN { print m / 1000 / 76 ^ 2 }')" 1e-6
+expect_same "$(value broken/postprocess/waves_3d.csv impulse_range)" "outside the validated range"
+
 case_named "the iceberg is described, its crumbs are none"
 expect_same "$(grep --invert-match --count '^#' broken/postprocess/icebergs.csv)" 2
 expect_same "$(value broken/postprocess/icebergs.csv iceberg)" 1
