@@ -9,26 +9,33 @@
 namespace tidewater::mpm {
 namespace {
 
-// The nodes of a block's tile and one more on each side, of which smoothing needs the neighbours.
+// The nodes of a block's tile and one more on each side, of which smoothing needs the neighbours; and upwards,
+// along the last axis, still one, since whether a node counts depends on the one above it.
 template <int D>
 struct Surround {
-    static constexpr int rim = 2, side = Block<D>::width + 2 * rim + 1;
-    static constexpr int count = power(side, D);
+    static constexpr int rim = 2, side = Block<D>::width + 2 * rim + 1, height = side + 1;
+    static constexpr int rows = power(side, D - 1), count = rows * height;
 };
 
 template <int D>
+constexpr int nodes_along(int axis) {
+    return axis == D - 1 ? Surround<D>::height : Surround<D>::side;
+}
+
+template <int D>
 constexpr int stride_of(int axis) {
-    return power(Surround<D>::side, D - 1 - axis);
+    return axis == D - 1 ? 1 : power(Surround<D>::side, D - 2 - axis) * Surround<D>::height;
 }
 
 // Calls visit(index in the surround, place of the node block among the 3^D, node in it, count) for runs along
 // the last axis.
 template <int D, class Visit>
 void for_each_run(const Visit& visit) {
-    constexpr int rim = Surround<D>::rim, side = Surround<D>::side, width = Block<D>::width;
+    constexpr int rim = Surround<D>::rim, side = Surround<D>::side, height = Surround<D>::height;
+    constexpr int width = Block<D>::width;
     const auto block_of = [](int n) { return n < rim ? 0 : n < rim + width ? 1 : 2; };
-    constexpr int begin[] = {0, rim, rim + width, side};
-    for (int row = 0; row < power(side, D - 1); ++row) {
+    constexpr int begin[] = {0, rim, rim + width, height};
+    for (int row = 0; row < Surround<D>::rows; ++row) {
         int neighbour = 0, node = 0;
         for (int axis = 0; axis < D - 1; ++axis) {
             const int n = row / power(side, D - 2 - axis) % side, block = block_of(n);
@@ -36,42 +43,55 @@ void for_each_run(const Visit& visit) {
             node = node * width + n - rim + (1 - block) * width;
         }
         for (int block = 0; block < 3; ++block) {
-            visit(row * side + begin[block], 3 * neighbour + block,
+            visit(row * height + begin[block], 3 * neighbour + block,
                   node * width + begin[block] - rim + (1 - block) * width, begin[block + 1] - begin[block]);
         }
     }
 }
 
-// Along one axis: nodes on a mirroring wall are half in the tank, and what lies beyond is the image of what
-// lies before.
-template <int D, class Real>
-void double_on_walls(const Layout<D>& layout, const Index<D>& block, Real* fill) {
-    constexpr int rim = Surround<D>::rim, side = Surround<D>::side;
+// Calls visit(first node, stride, nodes, where in it the wall lies, which way is inward) for all rows of nodes
+// along an axis at whose end or beginning there is a mirroring wall in reach.
+template <int D, class Visit>
+void for_each_row_to_a_wall(const Layout<D>& layout, const Index<D>& block, const Visit& visit) {
+    constexpr int rim = Surround<D>::rim;
     for (int axis = 0; axis < D; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
+        const int along = nodes_along<D>(axis), stride = stride_of<D>(axis);
         for (const std::size_t far : {std::size_t{0}, std::size_t{1}}) {
             if (layout.mirrors[a][far] == Mirror::none) continue;
             const int plane = (far ? layout.cells[a] : 0) - layout.first_node(block[a]) + rim;
-            const int inward = far ? -1 : 1, stride = stride_of<D>(axis);
-            if (plane < -rim || plane >= side + rim) continue;
-            for (int start = 0; start < Surround<D>::count; start += stride * side) {
-                for (int n = start; n < start + stride; ++n) {
-                    if (plane >= 0 && plane < side) fill[n + plane * stride] *= Real(2);
-                    for (int beyond = 1; beyond <= rim; ++beyond) {
-                        const int image = plane + inward * beyond, of = plane - inward * beyond;
-                        if (of < 0 || of >= side || image < 0 || image >= side) continue;
-                        fill[n + of * stride] = fill[n + image * stride];
-                    }
-                }
+            if (plane < -rim || plane >= along + rim) continue;
+            for (int start = 0; start < Surround<D>::count; start += stride * along) {
+                for (int n = start; n < start + stride; ++n) visit(n, stride, along, plane, far ? -1 : 1);
             }
         }
     }
 }
 
+// Nodes on a mirroring wall are half in the tank.
+template <int D, class Real>
+void double_on_walls(const Layout<D>& layout, const Index<D>& block, Real* fill) {
+    for_each_row_to_a_wall<D>(layout, block, [&](int row, int stride, int along, int plane, int) {
+        if (plane >= 0 && plane < along) fill[row + plane * stride] *= Real(2);
+    });
+}
+
+// What lies beyond a mirroring wall is the image of what lies before.
+template <int D, class Real>
+void reflect_in_walls(const Layout<D>& layout, const Index<D>& block, Real* e) {
+    for_each_row_to_a_wall<D>(layout, block, [&](int row, int stride, int along, int plane, int inward) {
+        for (int beyond = 1; beyond <= Surround<D>::rim; ++beyond) {
+            const int image = plane + inward * beyond, of = plane - inward * beyond;
+            if (of < 0 || of >= along || image < 0 || image >= along) continue;
+            e[row + of * stride] = e[row + image * stride];
+        }
+    });
+}
+
 // What rigid bodies fill of the nodes.
 template <int D, class Real>
 void add_bodies(const Simulation<D, Real>& s, const Index<D>& block, Real* fill) {
-    constexpr int rim = Surround<D>::rim, side = Surround<D>::side;
+    constexpr int rim = Surround<D>::rim;
     const Layout<D>& layout = s.grid.layout;
     for (const RigidBody& body : s.rigid) {
         const NodeRange<D> range = reach_of<D>(layout, body);
@@ -80,7 +100,7 @@ void add_bodies(const Simulation<D, Real>& s, const Index<D>& block, Real* fill)
         for (std::size_t axis = 0; axis < D; ++axis) {
             const int origin = layout.first_node(block[axis]) - rim;
             first[axis] = std::max(range.first[axis] - origin, 0);
-            last[axis] = std::min(range.last[axis] - origin, side - 1);
+            last[axis] = std::min(range.last[axis] - origin, nodes_along<D>(static_cast<int>(axis)) - 1);
             rows *= std::max(last[axis] - first[axis] + 1, 0);
         }
         for (int n = 0; n < rows; ++n) {
@@ -100,19 +120,32 @@ void add_bodies(const Simulation<D, Real>& s, const Index<D>& block, Real* fill)
 
 template <int D, class Real>
 void smooth(Real* e) {
-    constexpr int side = Surround<D>::side;
     for (int axis = 0; axis < D; ++axis) {
-        const int stride = stride_of<D>(axis);
-        for (int start = 0; start < Surround<D>::count; start += stride * side) {
+        const int stride = stride_of<D>(axis), along = nodes_along<D>(axis);
+        for (int start = 0; start < Surround<D>::count; start += stride * along) {
             for (int n = start; n < start + stride; ++n) {
                 Real before = e[n];
-                for (int k = 1; k < side - 1; ++k) {
+                for (int k = 1; k < along - 1; ++k) {
                     Real& here = e[n + k * stride];
                     const Real sum = Real(0.25) * (before + e[n + (k + 1) * stride]) + Real(0.5) * here;
                     before = here;
                     here = sum;
                 }
             }
+        }
+    }
+}
+
+// From the fill without and with rigid bodies to e, except in the uppermost nodes of each row, which serve the
+// ones below them alone.
+template <int D, class Real>
+void fill_to_crowding(const Real* water, Real* fill) {
+    constexpr int height = Surround<D>::height;
+    constexpr auto least = static_cast<Real>(least_fill);
+    for (int start = 0; start < Surround<D>::count; start += height) {
+        for (int n = start; n < start + height - 1; ++n) {
+            const bool counts = (fill[n] > least) | (water[n + 1] > least);
+            fill[n] = counts ? fill[n] - Real(1) : Real(0);
         }
     }
 }
@@ -241,16 +274,19 @@ void load_crowding(const Simulation<D, Real>& s, std::size_t slot, Node<Real>* t
     });
     const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
     double_on_walls<D>(grid.layout, block, e);
+    alignas(64) Real water[count];
+    std::copy_n(e, count, water);
     add_bodies(s, block, e);
-    for (int n = 0; n < count; ++n) e[n] = e[n] > static_cast<Real>(least_fill) ? e[n] - Real(1) : Real(0);
+    fill_to_crowding<D>(water, e);
+    reflect_in_walls<D>(grid.layout, block, e);
     smooth<D>(e);
-    constexpr int side = Surround<D>::side, tile_width = Block<D>::tile_width;
+    constexpr int tile_width = Block<D>::tile_width;
     for (int row = 0; row < power(tile_width, D - 1); ++row) {
-        int from = 0;
+        int from = 1;  // the tile begins one node inside
         for (int axis = 0; axis < D - 1; ++axis) {
-            from = from * side + row / power(tile_width, D - 2 - axis) % tile_width + 1;
+            from += (row / power(tile_width, D - 2 - axis) % tile_width + 1) * stride_of<D>(axis);
         }
-        for (int n = 0; n < tile_width; ++n) tile[row * tile_width + n][mass_lane] = e[from * side + n + 1];
+        for (int n = 0; n < tile_width; ++n) tile[row * tile_width + n][mass_lane] = e[from + n];
     }
 }
 

@@ -6,15 +6,17 @@
 // noise. The mass on the nodes does know the room. With φ the filled share of a node,
 //
 //     φ_i = m_i / (ρw Δx^D h_i) + s_i
-//     e_i = φ_i − 1 where φ_i > least_fill, else 0
+//     e_i = φ_i − 1 where φ_i > least_fill, or φ − s > least_fill at the node above i; else 0
 //     ē_i = e_i smoothed by (¼, ½, ¼) along each axis
 //     J  ←  J + r (1/(1 + Σ w ē_i) − J),   r = min(Δt / √(Δx/g), greatest_rate)
 //
 // in addition to what the flow does, with J, φ and w all of the beginning of the step. (With φ one step older
 // than J the feedback excites sound.) h_i is ½ for every mirroring wall on which the node lies, since only
 // half of it is in the tank, and s_i is what rigid bodies have of it (mpm/rigid.h): so water keeps to the
-// room outside of them. Where φ_i is low the water ends, and its pressure is about 0. A chequerboard on
-// the nodes moves no water, so it must not press either: hence the smoothing.
+// room outside of them. Where φ_i is low the water ends, and its pressure is about 0; but not below water, where it
+// is a void, which closes once its particles have the volume that they have room for. (Without that a churned
+// wake keeps its voids open: the level rises, and the energy.) A rigid body above does not make a void. A
+// chequerboard on the nodes moves no water, so it must not press either: hence the smoothing.
 //
 // In a flow without errors φ J = 1 stays so, and long waves and still water notice nothing; at the surface,
 // where e is cut off, waves of less than 50 cells lose about twice what they lose without. √(Δx/g), the time

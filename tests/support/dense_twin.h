@@ -167,19 +167,26 @@ struct DenseTwin {
     // Whether J follows the room that particles have (mpm/crowding.h); here only for water between mirrors.
     bool follows_room() const { return start.parameters.water.scheme == mpm::WaterScheme::density; }
 
-    // By how much more than fits there is water at a node.
+    // What water alone fills of a node in the box.
+    double water_fill(const Cell& i) const {
+        double full = start.parameters.water.density * std::pow(start.cell_size, D);
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            if (i[axis] == 0 || i[axis] == start.cells[axis]) full /= 2;
+        }
+        return grid[index(i)].mass / full;
+    }
+    // By how much more than fits there is water at a node, or at its image in the box.
     std::vector<double> crowding;  // of every node
     double crowding_at(Cell i) const {
-        double full = start.parameters.water.density * std::pow(start.cell_size, D);
         for (std::size_t axis = 0; axis < D; ++axis) {
             const int last = start.cells[axis];
             if (i[axis] < 0) i[axis] = -i[axis];
             if (i[axis] > last) i[axis] = 2 * last - i[axis];
-            if (i[axis] == 0 || i[axis] == last) full /= 2;
         }
-        double fill = grid[index(i)].mass / full;
+        double fill = water_fill(i);
         for (const DenseBody<D>& body : rigid) fill += share_at(body, i).value;
-        return fill > mpm::least_fill ? fill - 1 : 0;
+        i[D - 1] += 1;
+        return fill > mpm::least_fill || water_fill(i) > mpm::least_fill ? fill - 1 : 0;
     }
     double smooth_crowding(const Cell& i) const {
         double sum = 0;
