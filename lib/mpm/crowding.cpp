@@ -9,8 +9,8 @@
 namespace tidewater::mpm {
 namespace {
 
-// The nodes of a block's tile and one more on each side, of which smoothing needs the neighbours; and upwards,
-// along the last axis, still one, since whether a node counts depends on the one above it.
+// The nodes of a block's tile and one more on each side, of which smoothing needs the neighbours; and
+// upwards, along the last axis, still one, since whether a node counts depends on the one above it.
 template <int D>
 struct Surround {
     static constexpr int rim = 2, side = Block<D>::width + 2 * rim + 1, height = side + 1;
@@ -49,8 +49,8 @@ void for_each_run(const Visit& visit) {
     }
 }
 
-// Calls visit(first node, stride, nodes, where in it the wall lies, which way is inward) for all rows of nodes
-// along an axis at whose end or beginning there is a mirroring wall in reach.
+// Calls visit(first node, stride, nodes, where in it the wall lies, which way is inward) for all rows of
+// nodes along an axis at whose end or beginning there is a mirroring wall in reach.
 template <int D, class Visit>
 void for_each_row_to_a_wall(const Layout<D>& layout, const Index<D>& block, const Visit& visit) {
     constexpr int rim = Surround<D>::rim;
@@ -136,8 +136,8 @@ void smooth(Real* e) {
     }
 }
 
-// From the fill without and with rigid bodies to e, except in the uppermost nodes of each row, which serve the
-// ones below them alone.
+// From the fill without and with rigid bodies to e, except in the uppermost nodes of each row, which serve
+// the ones below them alone.
 template <int D, class Real>
 void fill_to_crowding(const Real* water, Real* fill) {
     constexpr int height = Surround<D>::height;
@@ -174,7 +174,8 @@ bool beside_held(const Layout<D>& layout, const Boundaries<D>& boundaries, doubl
         if (far == Mirror::none && node[axis] >= layout.cells[axis] - 1) return true;
     }
     const Shelf& shelf = boundaries.shelf;
-    if (shelf.exists() && node[0] <= cells(shelf.end_at(time)) && node[D - 1] <= cells(shelf.top)) return true;
+    if (shelf.exists() && node[0] <= cells(shelf.end_at(time)) && node[D - 1] <= cells(shelf.top))
+        return true;
     if (boundaries.push.exists() && node[0] <= cells(boundaries.push.position(time)) + 1.0) return true;
     if (boundaries.piston.exists() && node[0] <= cells(boundaries.piston.position(time)) + 1.0) return true;
     return beside_bed(layout, boundaries.bed, node);

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "first_iceberg.h"
+#include "break_records.h"
 #include "io/table.h"
 #include "io/text.h"
 #include "waves_3d.h"
@@ -22,10 +22,6 @@ std::set<std::uint32_t> icebergs_of(const MainEvent& event, const IcebergTables&
     return icebergs;
 }
 
-std::size_t column_index(const IcebergTables& tables, const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::find(tables.columns, name) - tables.columns.begin());
-}
-
 // Of the icebergs' centre of mass when it is fastest, and when; all are ice of one density.
 void find_speed(const IcebergTables& tables, const std::set<std::uint32_t>& icebergs, CalvingWave& wave) {
     struct Sum {
@@ -33,8 +29,8 @@ void find_speed(const IcebergTables& tables, const std::set<std::uint32_t>& iceb
         std::array<double, 3> momentum{};
     };
     std::map<double, Sum> by_time;
-    const std::array columns{column_index(tables, "velocity_x"), column_index(tables, "velocity_y"),
-                             column_index(tables, "velocity_z")};
+    const std::array columns{tables.column("velocity_x"), tables.column("velocity_y"),
+                             tables.column("velocity_z")};
     for (const IcebergRow& row : tables.rows) {
         if (!icebergs.contains(row.iceberg)) continue;
         Sum& sum = by_time[row.time];

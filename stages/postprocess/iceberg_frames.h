@@ -29,10 +29,4 @@ FrameProduct icebergs_product(const StageContext& context, const Frames& frames,
 // frames/members_NNNN.h5 of a run's folder of results. Throws InputError.
 io::Members read_members(const std::filesystem::path& folder, std::size_t frame);
 
-// m, of the particles of the scene.
-double particle_spacing(const scene::Scene& scene);
-
-// Least volume of an iceberg that is followed, m³ (2D: m²).
-double least_iceberg(const scene::Scene& scene);
-
 }  // namespace tidewater::postprocess

@@ -8,7 +8,7 @@
 
 #include "analysis/calving_rate.h"
 #include "analysis/iceberg_track.h"
-#include "first_iceberg.h"
+#include "break_records.h"
 #include "frame_pass.h"
 #include "io/table.h"
 #include "io/text.h"
@@ -36,10 +36,6 @@ struct FrameTable {
         return values;
     }
 };
-
-std::size_t column_index(const IcebergTables& tables, const char* name) {
-    return static_cast<std::size_t>(std::ranges::find(tables.columns, name) - tables.columns.begin());
-}
 
 // Adds a frame's rows, and to each story what they tell of it.
 void add_rows(const FrameTable& frame, IcebergTables& tables,
@@ -138,8 +134,8 @@ void write_summary(const std::filesystem::path& path, const IcebergTables& table
                                 s.end == IcebergStory::End::merged ? 1.0 : 0.0,
                                 s.merged_into,
                                 s.end == IcebergStory::End::gone ? 1.0 : 0.0};
-        for (const char* name : at_first) row.push_back(first.values[column_index(tables, name)]);
-        for (const char* name : at_last) row.push_back(last.values[column_index(tables, name)]);
+        for (const char* name : at_first) row.push_back(first.values[tables.column(name)]);
+        for (const char* name : at_last) row.push_back(last.values[tables.column(name)]);
         row.push_back(s.greatest_speed);
         row.push_back(s.greatest_rotation);
         table.append(row);

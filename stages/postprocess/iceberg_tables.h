@@ -1,6 +1,7 @@
 // The run's icebergs and calving, gathered from the files of its frames (iceberg_frames.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -57,6 +58,10 @@ struct IcebergTables {
     std::vector<IcebergRow> rows;       // by frame, then iceberg
     std::vector<IcebergStory> stories;  // by iceberg; those of which a frame has a row
     CalvingSeries calving;
+
+    std::size_t column(const std::string& name) const {  // its place in `columns`, which has it
+        return static_cast<std::size_t>(std::ranges::find(columns, name) - columns.begin());
+    }
 };
 
 // Throws InputError if a file is damaged.

@@ -4,23 +4,13 @@
 //     A = 0.2 m/s t until 0.5 s,     then 0.1 m exp(-(t - 0.5 s)/6 s)
 // A second block, lighter and of which there are no particles, lies still. The blocks lose 100 J within 0.8
 // s, of which the water gets 70. For tests of postprocess in 2D and 3D.
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
-#include <string>
 
-#include "core/files.h"
-#include "core/types.h"
-#include "io/snapshot.h"
-#include "io/table.h"
-#include "scene/scene.h"
+#include "written_run.h"
 
 namespace {
 
 using namespace tidewater;
-
-const Provenance provenance{"write_block_wave", program_version(), "write_block_wave", "0", 1};
 
 double amplitude(double t) { return t < 0.5 ? 0.2 * t : 0.1 * std::exp(-(t - 0.5) / 6.0); }
 
@@ -41,14 +31,8 @@ io::Snapshot frame(const scene::Scene& scene, double time) {
     const double share = std::pow(spacing, scene.dimension);
     const double width = scene.dimension == 3 ? scene.domain.size[1] : spacing;
     const auto add = [&](double x, double y, double z, double volume, Material material) {
-        for (const double part : {x, scene.dimension == 3 ? y : 0.0, z})
-            snapshot.points.push_back(static_cast<float>(part));
-        for (const double part : {0.3 * elevation(x, time) / 0.1, 0.0, 0.0})
-            snapshot.velocity.push_back(static_cast<float>(part));
-        snapshot.pressure.push_back(0.0f);
-        snapshot.volume.push_back(static_cast<float>(volume));
-        snapshot.material.push_back(static_cast<std::uint8_t>(material));
-        snapshot.id.push_back(static_cast<std::uint32_t>(snapshot.id.size()));
+        add_particle(snapshot, {x, scene.dimension == 3 ? y : 0.0, z},
+                     {0.3 * elevation(x, time) / 0.1, 0.0, 0.0}, volume, material);
     };
     for (double y = 0.5 * spacing; y < width; y += spacing) {
         for (double x = 0.5 * spacing; x < scene.domain.size.front(); x += spacing) {
@@ -101,39 +85,21 @@ void append_body(io::TableWriter& table, int dimension, double time, int number,
     }
 }
 
-void write_run(const std::filesystem::path& scene_file, const std::filesystem::path& run) {
-    const scene::Scene scene = scene::read_scene(scene_file);
-    const auto folder = run / "simulate";
-    make_output_folder(folder);
-    write_text(folder / "scene.toml", scene::resolved_text(scene));
-    io::TableWriter gauges(folder / "gauges.csv", provenance, {"time"});
-    io::TableWriter bodies(folder / "bodies.csv", provenance, body_columns(scene.dimension));
-    io::TableWriter ledger(
-        folder / "ledger.csv", provenance,
-        {"time", "kinetic", "gravitational", "elastic", "boundary_work", "outflow_energy", "energy"});
-    for (std::size_t number = 0; number <= 36; ++number) {
-        const double time = 0.1 * static_cast<double>(number);
-        io::write_snapshot(folder / io::snapshot_name(number), frame(scene, time), provenance);
-        gauges.append(std::array{time});
-        append_body(bodies, scene.dimension, time, 1, 184.0);
-        append_body(bodies, scene.dimension, time, 2, 50.0);
+void write_frames(WrittenRun& run) {
+    io::TableWriter bodies = run.table("bodies.csv", body_columns(run.scene.dimension));
+    for (int number = 0; number <= 36; ++number) {
+        const double time = 0.1 * number;
+        append_body(bodies, run.scene.dimension, time, 1, 184.0);
+        append_body(bodies, run.scene.dimension, time, 2, 50.0);
         const double lost = 30.0 * progress(time);
-        ledger.append(std::array{time, 2.0 - 0.5 * lost, 5000.0 - 0.5 * lost, 1.0, 0.0, 0.0, 5003.0 - lost});
+        run.add_frame(frame(run.scene, time), 2.0 - 0.5 * lost, 5000.0 - 0.5 * lost, 1.0);
     }
-    gauges.finish();
     bodies.finish();
-    ledger.finish();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        if (argc != 3) throw std::invalid_argument("needs SCENE RUN");
-        write_run(argv[1], argv[2]);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "write_block_wave: %s\n", error.what());
-        return 1;
-    }
-    return 0;
+    return write_run("write_block_wave", {argv, static_cast<std::size_t>(argc)}, "",
+                     [](WrittenRun& run, const std::string&) { write_frames(run); });
 }

@@ -1,18 +1,10 @@
 // write_calving SCENE RUN CRACK_END: the files of simulate, as a run would leave them in which a crack opens
 // 61 m behind the front of a slab of ice, 240 m long and 80 m high, from its top down to CRACK_END m above
 // its base: 0 breaks it off. The toe is crushed before. For tests of postprocess in 2D.
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <limits>
-#include <string>
 
-#include "core/files.h"
-#include "core/types.h"
-#include "io/snapshot.h"
-#include "io/table.h"
-#include "scene/scene.h"
+#include "written_run.h"
 
 namespace {
 
@@ -20,8 +12,6 @@ using namespace tidewater;
 
 constexpr double length = 240.0, height = 80.0, base = 60.0, crack = 61.0, toe = 10.0;
 constexpr float never = std::numeric_limits<float>::quiet_NaN();
-
-const Provenance provenance{"write_calving", program_version(), "write_calving", "0", 1};
 
 struct Ice {
     double damage = 0.0;
@@ -43,14 +33,8 @@ io::Snapshot frame(const scene::Scene& scene, double time, double crack_end) {
     io::Snapshot snapshot;
     snapshot.time = time;
     const double spacing = scene.domain.cell_size / scene.particles.per_axis;
-    std::uint32_t id = 0;
     const auto add = [&](double x, double z, double speed, Material material, const Ice& ice) {
-        for (const double part : {x, 0.0, z}) snapshot.points.push_back(static_cast<float>(part));
-        for (const double part : {speed, 0.0, 0.0}) snapshot.velocity.push_back(static_cast<float>(part));
-        snapshot.pressure.push_back(0.0f);
-        snapshot.volume.push_back(static_cast<float>(spacing * spacing));
-        snapshot.material.push_back(static_cast<std::uint8_t>(material));
-        snapshot.id.push_back(id++);
+        add_particle(snapshot, {x, 0.0, z}, {speed, 0.0, 0.0}, spacing * spacing, material);
         snapshot.damage.push_back(static_cast<float>(ice.damage));
         snapshot.failure_time.push_back(ice.failure_time);
     };
@@ -74,33 +58,12 @@ io::Snapshot frame(const scene::Scene& scene, double time, double crack_end) {
     return snapshot;
 }
 
-void write_run(const std::filesystem::path& scene_file, const std::filesystem::path& run, double crack_end) {
-    const scene::Scene scene = scene::read_scene(scene_file);
-    const auto folder = run / "simulate";
-    make_output_folder(folder);
-    write_text(folder / "scene.toml", scene::resolved_text(scene));
-    io::TableWriter gauges(folder / "gauges.csv", provenance, {"time"});
-    io::TableWriter ledger(folder / "ledger.csv", provenance,
-                           {"time", "kinetic", "gravitational", "elastic", "boundary_work"});
-    for (const std::size_t number : {0u, 1u}) {
-        const double time = 2.0 * static_cast<double>(number);
-        io::write_snapshot(folder / io::snapshot_name(number), frame(scene, time, crack_end), provenance);
-        gauges.append(std::array{time});
-        ledger.append(std::array{time, 0.0, 0.0, 0.0, 0.0});
-    }
-    gauges.finish();
-    ledger.finish();
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        if (argc != 4) throw std::invalid_argument("needs SCENE RUN CRACK_END");
-        write_run(argv[1], argv[2], std::stod(argv[3]));
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "write_calving: %s\n", error.what());
-        return 1;
-    }
-    return 0;
+    return write_run("write_calving", {argv, static_cast<std::size_t>(argc)}, "CRACK_END",
+                     [](WrittenRun& run, const std::string& crack_end) {
+                         for (const double time : {0.0, 2.0})
+                             run.add_frame(frame(run.scene, time, std::stod(crack_end)), 0.0, 0.0, 0.0);
+                     });
 }

@@ -2,19 +2,10 @@
 // glacier, 100 m long and 40 m high, come off at 1 s, split in two at 2 s, of which the smaller grows to the
 // glacier again at 3 s and the larger melts away at 4 s, beside 250 boxes of sizes by a power law of exponent
 // 2 from 60 m² on. For tests of postprocess in 2D.
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <limits>
-#include <stdexcept>
-#include <vector>
 
-#include "core/files.h"
-#include "core/types.h"
-#include "io/snapshot.h"
-#include "io/table.h"
-#include "scene/scene.h"
+#include "written_run.h"
 
 namespace {
 
@@ -24,8 +15,6 @@ constexpr double length = 100.0, height = 40.0, base = 60.0, front = 30.0, small
                  smallest_box = 60.0;
 constexpr int boxes = 250;
 constexpr float never = std::numeric_limits<float>::quiet_NaN();
-
-const Provenance provenance{"write_icebergs", program_version(), "write_icebergs", "0", 1};
 
 struct Motion {
     double x = 0.0, speed_x = 0.0, speed_z = 0.0;  // how far it has moved, m, and with which velocity, m/s
@@ -46,13 +35,8 @@ io::Snapshot frame(const scene::Scene& scene, int number, const std::vector<doub
     snapshot.time = number;
     const double spacing = scene.domain.cell_size / scene.particles.per_axis;
     const auto add = [&](double x, double z, const Motion& m) {
-        for (const double part : {x + m.x, 0.0, z}) snapshot.points.push_back(static_cast<float>(part));
-        for (const double part : {m.speed_x, 0.0, m.speed_z})
-            snapshot.velocity.push_back(static_cast<float>(part));
-        snapshot.pressure.push_back(0.0f);
-        snapshot.volume.push_back(static_cast<float>(spacing * spacing));
-        snapshot.material.push_back(static_cast<std::uint8_t>(Material::ice));
-        snapshot.id.push_back(static_cast<std::uint32_t>(snapshot.id.size()));
+        add_particle(snapshot, {x + m.x, 0.0, z}, {m.speed_x, 0.0, m.speed_z}, spacing * spacing,
+                     Material::ice);
         snapshot.damage.push_back(m.intact ? 0.0f : 1.0f);
         snapshot.failure_time.push_back(m.intact ? never : 3.5f);
     };
@@ -72,35 +56,15 @@ io::Snapshot frame(const scene::Scene& scene, int number, const std::vector<doub
     return snapshot;
 }
 
-void write_run(const std::filesystem::path& scene_file, const std::filesystem::path& run) {
-    const scene::Scene scene = scene::read_scene(scene_file);
+void write_frames(WrittenRun& run) {
     std::vector<double> sizes;  // the law's quantiles, so that no chance of drawing comes in
     for (int i = 0; i < boxes; ++i) sizes.push_back(smallest_box / (1.0 - (i + 0.5) / boxes));
-    const auto folder = run / "simulate";
-    make_output_folder(folder);
-    write_text(folder / "scene.toml", scene::resolved_text(scene));
-    io::TableWriter gauges(folder / "gauges.csv", provenance, {"time"});
-    io::TableWriter ledger(folder / "ledger.csv", provenance,
-                           {"time", "kinetic", "gravitational", "elastic", "boundary_work"});
-    for (int number = 0; number < 5; ++number) {
-        io::write_snapshot(folder / io::snapshot_name(static_cast<std::size_t>(number)),
-                           frame(scene, number, sizes), provenance);
-        gauges.append(std::array{static_cast<double>(number)});
-        ledger.append(std::array{static_cast<double>(number), 0.0, 0.0, 0.0, 0.0});
-    }
-    gauges.finish();
-    ledger.finish();
+    for (int number = 0; number < 5; ++number) run.add_frame(frame(run.scene, number, sizes), 0.0, 0.0, 0.0);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        if (argc != 3) throw std::invalid_argument("needs SCENE RUN");
-        write_run(argv[1], argv[2]);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "write_icebergs: %s\n", error.what());
-        return 1;
-    }
-    return 0;
+    return write_run("write_icebergs", {argv, static_cast<std::size_t>(argc)}, "",
+                     [](WrittenRun& run, const std::string&) { write_frames(run); });
 }

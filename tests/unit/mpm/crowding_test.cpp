@@ -85,8 +85,8 @@ TEST_CASE("under-filled water counts below water and not below a rigid body") {
     for_each_particle(s.grid, s.bodies[0], [&](std::size_t, const Index<2>& block, std::size_t p) {
         const auto x = global_position(s.grid.layout, block, s.bodies[0], p);
         if (std::abs(x[1] - 0.2375) > 0.02) return;
-        // The two nodes of the gap lack 0.484 each, the nodes next to them 0.0156. Of the gap's, the upper one
-        // counts where water is above it, and neither below the block.
+        // The two nodes of the gap lack 0.484 each, the nodes next to them 0.0156. Of the gap's, the upper
+        // one counts where water is above it, and neither below the block.
         if (x[0] > 0.75 && x[0] < 0.85) CHECK(crowding[p] == doctest::Approx(-0.0958).epsilon(2e-3));
         if (x[0] > 1.15 && x[0] < 1.25) CHECK(crowding[p] == doctest::Approx(-0.0050).epsilon(2e-2));
         if (x[0] < 0.45) CHECK(std::abs(crowding[p]) < 3e-3);
