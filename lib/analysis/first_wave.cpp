@@ -20,6 +20,7 @@ constexpr double wall_share = 0.2;            // at the wall, of the leading cre
 constexpr double crest_fit = 0.1;             // the parabola's reach below a crest, of its height
 constexpr double peak_fit = 0.02;             // likewise over time, of the greatest amplitude
 constexpr double fastest = 1.6, slack = 0.1;  // of a crest, in √(gD) Δt and D
+constexpr double greatest_fall = 3.0;         // of its height from one profile to the next that has it
 constexpr std::size_t longest_gap = 2;        // profiles in a row without it
 constexpr std::size_t recent = 5;             // points that tell its speed
 constexpr double formed_distance = 2.0;       // in D
@@ -130,6 +131,7 @@ std::vector<CrestPoint> follow_back(std::span<const Frame> frames, std::span<con
         for (const CrestPoint& crest : frames[k].crests) {
             const double moved = from.distance - crest.distance;
             if (moved > fastest * usual * dt + room || moved < -room) continue;
+            if (crest.amplitude > greatest_fall * from.amplitude) continue;
             if (!nearest || std::abs(crest.distance - expected) < std::abs(nearest->distance - expected))
                 nearest = &crest;
         }

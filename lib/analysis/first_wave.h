@@ -11,8 +11,8 @@
 // higher than 0.04 Δx and than 0.15 of the highest crest farther than D from the source, so that neither
 // noise ahead of the wave nor a splash beside the body decides; crests behind it may be higher. It is found
 // at the latest time and followed backward: from one profile to the one before it has moved at most
-// 1.6 √(gD) Δt + 0.1 D outward and 0.1 D inward, and of crests in that reach it is the one nearest to where
-// its own recent speed puts it. Two profiles in a row may lack it. Where the leading crest of an earlier
+// 1.6 √(gD) Δt + 0.1 D outward and 0.1 D inward and fallen to no less than a third, and of crests in that
+// reach it is the one nearest to where its own recent speed puts it. Two profiles in a row may lack it. Where the leading crest of an earlier
 // profile leads to a longer track, that one counts. Position and height come from a parabola through what
 // lies within 0.1 of the height below the crest.
 //

@@ -99,13 +99,16 @@ std::string describe_energy(const EnergySplit& energy, int dimension) {
 
 }  // namespace
 
-const WaveWay* Tsunami::higher_way() const {
-    const WaveWay* higher = nullptr;
+const WaveWay* Tsunami::main_way() const {
+    const auto rank = [](const WaveWay& way) {
+        return std::pair(!std::isnan(way.wave.celerity), way.wave.greatest.amplitude);
+    };
+    const WaveWay* first = nullptr;
     for (const WaveWay& way : ways) {
         if (way.wave.track.empty()) continue;
-        if (!higher || way.wave.greatest.amplitude > higher->wave.greatest.amplitude) higher = &way;
+        if (!first || rank(way) > rank(*first)) first = &way;
     }
-    return higher;
+    return first;
 }
 
 Tsunami find_tsunami(const std::vector<Body>& bodies, const SurfaceProfiles& profiles, EnergySplit energy,
@@ -152,7 +155,7 @@ void write_first_wave(const std::filesystem::path& path, const Tsunami& tsunami,
 }
 
 void write_waves_3d(const std::filesystem::path& path, const Tsunami& tsunami, const Provenance& provenance) {
-    const WaveWay* way = tsunami.higher_way();
+    const WaveWay* way = tsunami.main_way();
     const double greatest = way ? way->wave.greatest.amplitude : analysis::none;
     const auto here = [&](double r) { return way ? analysis::amplitude_at(way->wave, r) : analysis::none; };
     write_waves_3d(path, tsunami.slide, tsunami.impulse, greatest, here, provenance);
@@ -183,7 +186,7 @@ void write_tsunami(const std::filesystem::path& path, const Tsunami& tsunami, co
                            "water_energy",
                            "lost_energy",
                            "greatest_rise"});
-    const WaveWay* way = tsunami.higher_way();
+    const WaveWay* way = tsunami.main_way();
     const analysis::FirstWave wave = way ? way->wave : analysis::FirstWave{};
     const double reference = tsunami.long_wave_celerity;
     const EnergySplit& energy = tsunami.energy;
@@ -219,7 +222,7 @@ void write_tsunami(const std::filesystem::path& path, const Tsunami& tsunami, co
 std::string describe(const Tsunami& tsunami) {
     std::string text = describe_slide(tsunami);
     for (const WaveWay& way : tsunami.ways) text += describe_way(way, tsunami.long_wave_celerity);
-    if (const WaveWay* way = tsunami.higher_way())
+    if (const WaveWay* way = tsunami.main_way())
         text += describe_in_3d(tsunami, way->wave.greatest.amplitude);
     return text + describe_energy(tsunami.energy, tsunami.dimension);
 }

@@ -37,8 +37,10 @@ struct Tsunami {
     EnergySplit energy;
     int dimension = 2;
 
-    // The way in which the wave becomes highest; nullptr if no wave was found.
-    const WaveWay* higher_way() const;
+    // Of the ways in which a wave ran far enough for a celerity the one in which it becomes highest; if there
+    // is none, of all (what piles up beside the block and stays is higher than a low wave). nullptr if no
+    // wave was found.
+    const WaveWay* main_way() const;
 };
 
 // As in the laboratory, distances count from the wall that the block is within a cell of, else from the
@@ -50,7 +52,7 @@ Tsunami find_tsunami(const std::vector<Body>& bodies, const SurfaceProfiles& pro
 void write_first_wave(const std::filesystem::path& path, const Tsunami& tsunami,
                       const Provenance& provenance);
 
-// waves_3d.csv: the higher way's greatest amplitude, and the one at that distance, in 3D at r/D from 2 to 35;
+// waves_3d.csv: the main way's greatest amplitude, and the one at that distance, in 3D at r/D from 2 to 35;
 // and the impulse product's height there.
 void write_waves_3d(const std::filesystem::path& path, const Tsunami& tsunami, const Provenance& provenance);
 

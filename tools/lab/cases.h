@@ -39,7 +39,7 @@ struct Case {
            long_waves_error = analysis::none,  // as in long_waves.csv, m/s
         long_wave_celerity = analysis::none, block_energy = analysis::none, water_energy = analysis::none,
            lost_energy = analysis::none, greatest_rise = analysis::none;
-    std::vector<double> time, ratio, run;  // of the higher way: since the greatest amplitude, s; amplitude
+    std::vector<double> time, ratio, run;  // of the main way: since the greatest amplitude, s; amplitude
                                            // over it; distance from where it was, m
 
     double celerity_error() const;  // from √(gD), %

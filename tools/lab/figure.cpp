@@ -11,7 +11,12 @@ namespace {
 
 // "GF: 0.141 m, 3.00 m/s (-4.1 %)"
 std::string title_of(const Case& c) {
-    if (std::isnan(c.amplitude)) return c.label + ": no wave";
+    if (std::isnan(c.amplitude)) {
+        const std::string title = c.label + ": no crest";
+        return std::isnan(c.long_waves)
+                   ? title
+                   : title + ", long waves " + io::format_fixed(c.long_waves, 2) + " m/s";
+    }
     const std::string title = c.label + ": " + io::format_fixed(c.amplitude, 4) + " m";
     if (std::isnan(c.celerity)) return title;
     return title + ", " + io::format_fixed(c.celerity, 2) + " m/s (" +

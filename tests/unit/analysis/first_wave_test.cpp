@@ -176,6 +176,18 @@ TEST_CASE("higher crests behind and a splash beside the body do not lead") {
     CHECK(wave.track.back().time == doctest::Approx(7.0));
 }
 
+TEST_CASE("what stays beside the body is not taken for where a low wave began") {
+    // The hump is gone when the wave comes by.
+    const Surface surface = [](double x, double t) {
+        const double stays = t < 0.6 ? 0.1 * std::exp(-x * x / 0.2) : 0.0;
+        return stays + 0.015 * std::exp(-std::pow((x + 1.2 - 3.0 * t) / 0.4, 2));
+    };
+    const FirstWave wave = observe(30.0, 5.0, 0.1, 0.02, surface).follow(0.0, 30.0);
+    REQUIRE(wave.track.size() > 35);
+    CHECK(wave.celerity == doctest::Approx(3.0).epsilon(0.01));
+    for (const CrestPoint& crest : wave.track) CHECK(crest.amplitude < 0.02);
+}
+
 TEST_CASE("a forerunner a tenth as high does not lead") {
     const Surface surface = [](double x, double t) {
         return 0.1 * std::exp(-std::pow(x - 1.0 - 3.0 * t, 2)) +

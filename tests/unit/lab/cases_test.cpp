@@ -91,6 +91,7 @@ TEST_CASE("table and picture hold every run, also one without a wave or an exper
     std::vector<Case> cases{read_case("GF=" + write_run(folder, "a").string()), {}, {}};
     cases[1].label = "BF";
     cases[2].label = "other";
+    cases[2].long_waves = 3.15;
     write_cases(folder.path() / "lab.csv", cases, provenance);
     const std::string table = read_text(folder.path() / "lab.csv");
     CHECK(table.find("\nGF,1,1.15,-13.04") != table.npos);
@@ -99,7 +100,8 @@ TEST_CASE("table and picture hold every run, also one without a wave or an exper
     const std::string svg = draw_cases(cases, provenance);
     CHECK(svg.starts_with("<svg "));
     CHECK(svg.find("GF: 0.1500 m, 3.00 m/s (-4.2 %)") != svg.npos);
-    CHECK(svg.find("BF: no wave") != svg.npos);
+    CHECK(svg.find("BF: no crest<") != svg.npos);
+    CHECK(svg.find("other: no crest, long waves 3.15 m/s") != svg.npos);
     CHECK(svg.find("nan") == svg.npos);
     CHECK(draw_cases({}, provenance).ends_with("</svg>\n"));
     CHECK(describe(cases).find("GF") != std::string::npos);
