@@ -95,18 +95,18 @@ mpm::Start<D> flying_start(Scene scene, int cells, double at) {
     auto start = empty_start<D>(cells);
     start.parameters.ice.fracture = scene != Scene::elastic_ice;
     const double size = D == 2 ? 6.0 : 3.0;
-    const auto cube = [&](Material material, double right, double up, double speed) {
+    const auto fly = [&](Material material, double right, double up, double speed) {
         const Cube<D> cube{material, cells_at<D>(at + right, at, at + up),
                            size,     cells_at<D>(0.5 + speed, 0.05, 0.1 - 0.3 * speed),
                            0.7,      0.5};
         material == Material::rigid ? add_rigid(cube, start) : add_cube(cube, start);
     };
     const bool mixed = scene == Scene::mixed;
-    if (scene == Scene::water || mixed) cube(Material::water, 0.0, 0.0, 0.0);
+    if (scene == Scene::water || mixed) fly(Material::water, 0.0, 0.0, 0.0);
     if (scene == Scene::rigid || mixed)
-        cube(Material::rigid, mixed ? size + 0.75 : 0.0, 0.5, mixed ? -0.4 : 0.0);
+        fly(Material::rigid, mixed ? size + 0.75 : 0.0, 0.5, mixed ? -0.4 : 0.0);
     if (scene == Scene::elastic_ice || scene == Scene::fracturing_ice || mixed)
-        cube(Material::ice, 0.5, mixed ? size + 0.5 : 0.0, mixed ? 0.3 : 0.0);
+        fly(Material::ice, 0.5, mixed ? size + 0.5 : 0.0, mixed ? 0.3 : 0.0);
     return start;
 }
 
