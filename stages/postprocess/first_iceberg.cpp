@@ -39,12 +39,10 @@ std::vector<bool> apart_from_glacier(const io::Members& first) {
 // Without what floats apart from the start.
 Ice read_ice(const io::Snapshot& first, const io::Members& members) {
     const std::vector<bool> apart = apart_from_glacier(members);
-    std::vector<std::uint32_t> order, places;
+    std::vector<std::uint32_t> places;
     const auto ids = particle_ids(first, places);
-    for (std::uint32_t p = 0; p < first.particle_count(); ++p) {
-        if (is_ice(first, p) && !(ids[p] < apart.size() && apart[ids[p]])) order.push_back(p);
-    }
-    std::ranges::sort(order, {}, [&](std::uint32_t p) { return ids[p]; });
+    std::vector<std::uint32_t> order = ice_by_id(first, ids);
+    std::erase_if(order, [&](std::uint32_t p) { return ids[p] < apart.size() && apart[ids[p]]; });
     Ice ice;
     ice.id.reserve(order.size());
     ice.volume.reserve(order.size());

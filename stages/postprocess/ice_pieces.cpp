@@ -39,11 +39,7 @@ void find_front_heights(const io::Snapshot& first, const analysis::Box& box, dou
 }
 
 void find_places_at_rest(const io::Snapshot& first, std::span<const std::uint32_t> ids, Start& start) {
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t p = 0; p < first.particle_count(); ++p) {
-        if (is_ice(first, p)) order.push_back(p);
-    }
-    std::ranges::sort(order, {}, [&](std::uint32_t p) { return ids[p]; });
+    const std::vector<std::uint32_t> order = ice_by_id(first, ids);
     start.id.reserve(order.size());
     start.points.reserve(3 * order.size());
     for (const std::uint32_t p : order) {
@@ -73,6 +69,15 @@ std::span<const std::uint32_t> particle_ids(const io::Snapshot& snapshot,
     places.resize(snapshot.particle_count());
     std::iota(places.begin(), places.end(), 0u);
     return places;
+}
+
+std::vector<std::uint32_t> ice_by_id(const io::Snapshot& snapshot, std::span<const std::uint32_t> ids) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t p = 0; p < snapshot.particle_count(); ++p) {
+        if (is_ice(snapshot, p)) order.push_back(p);
+    }
+    std::ranges::sort(order, {}, [&](std::uint32_t p) { return ids[p]; });
+    return order;
 }
 
 double particle_spacing(const scene::Scene& scene) {

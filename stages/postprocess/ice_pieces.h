@@ -22,6 +22,9 @@ inline bool is_ice(const io::Snapshot& snapshot, std::size_t p) {
 // The particles' ids; where the file has none, `places` is made to hold their places in it.
 std::span<const std::uint32_t> particle_ids(const io::Snapshot& snapshot, std::vector<std::uint32_t>& places);
 
+// The places of the ice in a snapshot whose particles have these ids, in the order of ids.
+std::vector<std::uint32_t> ice_by_id(const io::Snapshot& snapshot, std::span<const std::uint32_t> ids);
+
 // m, of the particles of the scene.
 double particle_spacing(const scene::Scene& scene);
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -32,6 +33,14 @@ struct IdealBlock {
 
 using Pose = Eigen::Vector3d;  // x, z of the centre, m; θ
 
+inline std::array<Eigen::Vector2d, 4> corners_of(const IdealBlock& block,
+                                                 const Pose& at) {  // counterclockwise
+    const Eigen::Rotation2Dd turn(at[2]);
+    const Eigen::Vector2d center = at.head<2>(), half(0.5 * block.width, 0.5 * block.height);
+    const Eigen::Vector2d other(half[0], -half[1]);
+    return {center - turn * half, center + turn * other, center + turn * half, center - turn * other};
+}
+
 // The part of the block below the still level: corners counterclockwise, and which edges are the block's own.
 struct Wetted {
     std::vector<Eigen::Vector2d> corners;
@@ -41,11 +50,7 @@ struct Wetted {
 };
 
 inline Wetted wetted(const IdealBlock& block, const Pose& at) {
-    const Eigen::Rotation2Dd turn(at[2]);
-    std::vector<Eigen::Vector2d> box;
-    for (const auto& [a, b] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
-        box.emplace_back(at.head<2>() + turn * Eigen::Vector2d(a * block.width, b * block.height));
-    }
+    const auto box = corners_of(block, at);
     Wetted part;
     for (std::size_t k = 0; k < 4; ++k) {
         const Eigen::Vector2d& here = box[k];
@@ -148,9 +153,8 @@ struct IdealMotion {
 
     double fastest_point(const IdealBlock& block) const {
         double most = 0.0;
-        for (const auto& [a, b] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
-            const Eigen::Vector2d arm =
-                Eigen::Rotation2Dd(at[2]) * Eigen::Vector2d(a * block.width, b * block.height);
+        for (const Eigen::Vector2d& corner : corners_of(block, at)) {
+            const Eigen::Vector2d arm = corner - at.head<2>();
             const Eigen::Vector2d v = velocity.head<2>() + velocity[2] * Eigen::Vector2d(-arm[1], arm[0]);
             most = std::max(most, v.norm());
         }
