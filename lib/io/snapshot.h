@@ -29,7 +29,7 @@ struct Snapshot {
     std::vector<std::uint8_t> material;  // the numbers of core's Material
     std::vector<std::uint32_t> id;       // the particle's number; the same in every frame
 
-    std::vector<float> principal_stress;  // Pa, tension positive (mpm/principal_stress.h); NaN: no ice.
+    std::vector<float> principal_stress;  // Pa, tension positive (mpm/readings/principal_stress.h); NaN: no ice.
                                           // Empty in runs without ice
 
     // Of runs with ice that fractures; else empty.

@@ -264,7 +264,7 @@ void check_shelf(Reading& reading) {
     check("shelf.height", scene.shelf.height, scene.domain.size.size() - 1);
 }
 
-// Above this share of κ the surface has no compressive tip (mpm/ice_yield.h), and the strength would be
+// Above this share of κ the surface has no compressive tip (mpm/materials/ice_yield.h), and the strength would be
 // another.
 void check_strength(Reading& reading) {
     const Scene& scene = reading.scene;
@@ -402,7 +402,7 @@ std::string cfl_warning(const Scene& scene) {
 }
 
 // From βξ = 1 on a point snaps in isotropic tension. In uniaxial tension a band of width h snaps if it stores
-// more energy, h σt²/2E, than its crack costs (mpm/ice.h).
+// more energy, h σt²/2E, than its crack costs (mpm/materials/ice.h).
 std::string softening_warning(const Scene& scene) {
     const mpm::IceModel ice = ice_model(scene);
     const double product = ice.beta * ice.hardening;

@@ -6,7 +6,7 @@
 
 #include "core/provenance.h"
 #include "io/table.h"
-#include "mpm/simulation.h"
+#include "mpm/state/simulation.h"
 
 namespace tidewater {
 

@@ -8,7 +8,7 @@
 #include "format.h"
 #include "io/columns.h"
 #include "io/snapshot.h"
-#include "mpm/state.h"
+#include "mpm/state/state.h"
 
 namespace tidewater {
 namespace {

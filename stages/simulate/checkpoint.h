@@ -10,7 +10,7 @@
 #include "common/stage.h"
 #include "core/error.h"
 #include "io/hdf5_file.h"
-#include "mpm/simulation.h"
+#include "mpm/state/simulation.h"
 
 namespace tidewater {
 

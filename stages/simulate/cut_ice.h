@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/cuts.h"
-#include "mpm/start.h"
+#include "mpm/step/start.h"
 
 namespace tidewater {
 

@@ -10,11 +10,11 @@
 #include "core/error.h"
 #include "io/snapshot.h"
 #include "io/text.h"
-#include "mpm/lift.h"
-#include "mpm/motion.h"
-#include "mpm/pressure.h"
-#include "mpm/principal_stress.h"
-#include "mpm/sensor.h"
+#include "mpm/bodies/lift.h"
+#include "mpm/particles/motion.h"
+#include "mpm/readings/pressure.h"
+#include "mpm/readings/principal_stress.h"
+#include "mpm/readings/sensor.h"
 
 namespace tidewater {
 namespace {

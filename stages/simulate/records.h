@@ -11,7 +11,7 @@
 #include "common/ground.h"
 #include "core/provenance.h"
 #include "io/table.h"
-#include "mpm/ledger.h"
+#include "mpm/state/ledger.h"
 #include "scene/scene.h"
 
 namespace tidewater {

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "format.h"
-#include "mpm/settle.h"
+#include "mpm/step/settle.h"
 
 namespace tidewater {
 namespace {

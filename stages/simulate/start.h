@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "mpm/start.h"
+#include "mpm/step/start.h"
 #include "scene/scene.h"
 
 namespace tidewater {

@@ -19,13 +19,13 @@ run bash "$layers" "$project"
 expect_code 0
 
 case_named "an upward include is found, with its file and line"
-planted lib/core/planted.h '"mpm/water.h"'
+planted lib/core/planted.h '"mpm/materials/water.h"'
 expect_code 1
-expect_line 'lib/core/planted.h:2: lib/core must not include "mpm/water.h"; it may include from: core'
+expect_line 'lib/core/planted.h:2: lib/core must not include "mpm/materials/water.h"; it may include from: core'
 
 case_named "a sideways include is found"
-planted lib/io/planted.cpp '"mpm/water.h"'
-expect_line 'lib/io/planted.cpp:2: lib/io must not include "mpm/water.h"'
+planted lib/io/planted.cpp '"mpm/materials/water.h"'
+expect_line 'lib/io/planted.cpp:2: lib/io must not include "mpm/materials/water.h"'
 
 case_named "an include of the scene by a kernel is found, in angle brackets too"
 planted lib/mpm/planted.cpp '<scene/scene.h>'

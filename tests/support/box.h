@@ -27,7 +27,7 @@ mpm::Start<D> long_ice_box(int length, int across, double gravity = 0.0) {
     return ice_box<D>(cells, gravity);
 }
 
-// All particles are finite and in the box, to the half cell beyond a wall that mpm/boundary.h allows.
+// All particles are finite and in the box, to the half cell beyond a wall that mpm/boundaries/boundary.h allows.
 template <int D, class Real>
 void check_in_box(const mpm::Simulation<D, Real>& s) {
     const auto state = read_state(s);

@@ -1,4 +1,4 @@
-// The slow twin's rigid body: a box, and how the nodes of a dense grid meet it (mpm/rigid.h, mpm/contact.h).
+// The slow twin's rigid body: a box, and how the nodes of a dense grid meet it (mpm/bodies/rigid.h, mpm/step/contact.h).
 // No walls: bodies of twins stay away from them.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mpm/start.h"
+#include "mpm/step/start.h"
 
 namespace tidewater::test {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "mpm/crowding.h"
-#include "mpm/start.h"
+#include "mpm/step/crowding.h"
+#include "mpm/step/start.h"
 #include "support/dense_body.h"
 #include "support/dense_ice.h"
 
@@ -164,7 +164,7 @@ struct DenseTwin {
         return sum;
     }
 
-    // Whether J follows the room that particles have (mpm/crowding.h); here only for water between mirrors.
+    // Whether J follows the room that particles have (mpm/step/crowding.h); here only for water between mirrors.
     bool follows_room() const { return start.parameters.water.scheme == mpm::WaterScheme::density; }
 
     // What water alone fills of a node in the box.

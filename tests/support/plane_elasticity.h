@@ -1,6 +1,6 @@
 // References for a cantilever under its own weight: Timoshenko's beam, and plane linear elasticity.
 //
-//     σ = κ tr(ε) I + 2μ dev(ε),   dev(ε) = ε − tr(ε)/2 I          small strains of mpm/ice.h in 2D
+//     σ = κ tr(ε) I + 2μ dev(ε),   dev(ε) = ε − tr(ε)/2 I          small strains of mpm/materials/ice.h in 2D
 //     E' = 4μκ/(κ+μ)                                               modulus of thin beams
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mpm/ice.h"
+#include "mpm/materials/ice.h"
 
 namespace tidewater::test {
 

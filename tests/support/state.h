@@ -1,9 +1,9 @@
 // What a simulation's particles are and do, by id and in double, whatever their order.
 #pragma once
 
-#include "mpm/lift.h"
-#include "mpm/motion.h"
-#include "mpm/simulation.h"
+#include "mpm/bodies/lift.h"
+#include "mpm/particles/motion.h"
+#include "mpm/state/simulation.h"
 
 namespace tidewater::test {
 

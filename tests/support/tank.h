@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/random.h"
-#include "mpm/start.h"
+#include "mpm/step/start.h"
 
 namespace tidewater::test {
 

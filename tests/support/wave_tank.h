@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "mpm/motion.h"
+#include "mpm/particles/motion.h"
 #include "support/tank.h"
 
 namespace tidewater::test {

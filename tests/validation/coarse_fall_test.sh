@@ -21,7 +21,7 @@ error=$(column run/postprocess/waves.csv error_percent | tail -n 1)
 echo "  celerity off by $error %"
 holds "$error < 5 && $error > -5"
 
-# Water under its own weight is denser: M(1 m) = 1.00123 m with c0 = 63 m/s and theta = 7 (lib/mpm/water.h).
+# Water under its own weight is denser: M(1 m) = 1.00123 m with c0 = 63 m/s and theta = 7 (lib/mpm/materials/water.h).
 case_named "mass is exact to rounding: 16 m2 of compressed water and 0.25 m2 of block"
 weighed=$(awk 'BEGIN { c = 1000 * 9.81 / (1000 * 63^2 / 7); p = 6 / 7; printf "%.9f", 16000 * ((1 + p * c)^(1 / p) - 1) / c + 230 }')
 read -r least most < <(column $ledger mass | sort -g | sed -n '1p;$p' | xargs)
@@ -37,7 +37,7 @@ for axis in x z; do
     holds "$worst < 1e-6 * $most * 9.81 * 5" # of the weight times the run's length
 done
 
-# The ledger's kinetic energy runs ahead by its change in half a step (lib/mpm/ledger.h).
+# The ledger's kinetic energy runs ahead by its change in half a step (lib/mpm/state/ledger.h).
 case_named "energy at the time of the positions is never above its start"
 highest=$(paste -d, <(column $ledger energy) <(column $ledger kinetic) <(column $ledger step) | awk -F, '
     NR == 1 { start = $1 }

@@ -16,7 +16,7 @@
 #include <span>
 #include <string_view>
 
-#include "mpm/start.h"
+#include "mpm/step/start.h"
 
 namespace tidewater::benchmark {
 

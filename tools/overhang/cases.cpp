@@ -8,8 +8,8 @@
 #include "core/error.h"
 #include "io/table.h"
 #include "io/text.h"
-#include "mpm/boundary.h"
-#include "mpm/ice.h"
+#include "mpm/boundaries/boundary.h"
+#include "mpm/materials/ice.h"
 #include "scene/scene.h"
 
 namespace tidewater::overhang {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "mpm/ice.h"
-#include "mpm/single_point.h"
+#include "mpm/materials/ice.h"
+#include "mpm/materials/single_point.h"
 
 namespace tidewater::point {
 

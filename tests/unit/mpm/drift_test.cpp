@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/random.h"
-#include "mpm/start.h"
+#include "mpm/step/start.h"
 #include "support/state.h"
 
 using namespace tidewater;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mpm/ledger.h"
+#include "mpm/state/ledger.h"
 #include "support/tank.h"
 
 using namespace tidewater;

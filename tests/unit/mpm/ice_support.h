@@ -7,7 +7,7 @@
 #include <random>
 #include <utility>
 
-#include "mpm/ice.h"
+#include "mpm/materials/ice.h"
 
 namespace tidewater::mpm::ice_support {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mpm/ledger.h"
+#include "mpm/state/ledger.h"
 #include "support/mixed_tank.h"
 #include "support/state.h"
 

@@ -54,7 +54,7 @@ TEST_CASE("wider sponges and finer cells absorb a solitary wave") {
     }
 }
 
-// Height by the linear theory of the wave maker (mpm/piston.h). What a sponge of 10 D sends back makes
+// Height by the linear theory of the wave maker (mpm/boundaries/piston.h). What a sponge of 10 D sends back makes
 // heights differ along the flume.
 TEST_CASE("a piston in sine motion makes waves of the linear theory's height, and a sponge takes them") {
     const double amplitude = 0.03;

@@ -1,0 +1,48 @@
+// The ground as a height field: z_b over x in 2D, over (x, y) in 3D.
+//
+// Grid nodes in the ground, and nodes up to wall_reach cells above it, keep no velocity into it. With the
+// bed's own normal n = (−∇z_b, 1)/√(1 + |∇z_b|²) and the height d = (z − z_b) n_z above it,
+//
+//     slip      v ← v − (v·n) n
+//     separate  the same where v·n < 0
+//     stick     v ← 0                                for nodes with d < wall_reach Δx
+//
+// n is smooth, whatever cells the bed crosses, so what slides feels no steps: on a plane bed all forces are
+// along one n, and the centre of mass of what slides on it accelerates by g sin α to rounding. At nodes of
+// the box's side walls n has no component into the wall, so that the corner between the two holds.
+//
+// Why wall_reach = ¾: a free node nearer to the ground finds too little water below it, sinks, and drives
+// currents of decimetres a second; with it pools on beds of any slope and offset stay where they were seeded
+// to 0.03 cells, and on average the last node held lies where a wall's would.
+// First order. Tests: tests/unit/mpm/boundaries/bed_test.cpp.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mpm/boundaries/wall.h"
+
+namespace tidewater::mpm {
+
+template <int D>
+struct Bed {
+    static constexpr int across = D - 1;  // horizontal axes
+
+    WallRule rule = WallRule::separate;
+    double spacing = 0.0;                                        // m, of a lattice that begins at the origin
+    std::array<int, static_cast<std::size_t>(across)> points{};  // of the lattice per axis, at least 1
+    std::vector<double> heights;                                 // m, at its points; y fastest; empty: no bed
+
+    bool exists() const { return !heights.empty(); }
+
+    // z_b, m: linear between the points, bilinear in 3D, constant beyond them.
+    double height(const Vector<across, double>& at) const;
+    // ∇z_b by central differences over `reach` m to each side.
+    Vector<across, double> slope(const Vector<across, double>& at, double reach) const;
+};
+
+// Applies the bed to the velocities of one block of nodes, before the walls; `block` as block_at gives it.
+template <int D, class Real>
+WallAction<D> apply_bed(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& block, Node<Real>* nodes);
+
+}  // namespace tidewater::mpm

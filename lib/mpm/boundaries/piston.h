@@ -1,0 +1,54 @@
+// A wave maker: the left wall as a piston, a plane at x = X(t) that moves at U(t) and starts from x = 0 at
+// rest.
+//
+// solitary   makes a wave of height H on water of depth D (Goring 1979, "Tsunamis", Caltech KH-R-38,
+// eq. 3.17):
+//            the piston keeps up with the wave's mean flow, U = c η/(D + η) with η(X, t) = H sech²(κ(ct −
+//            X)), κ = √(3H/4D³), c = √(g(D + H)), of which the integral is X = (H/κD) tanh(κ(ct − X)) from
+//            mid-stroke. The tails are cut off where κ(ct − X) = ∓3.8; the stroke is 1.998 H/κD.
+// sine       X = a (1 − cos ωt) r(t), with r = (1 − cos(πt/ramp))/2 up to the time `ramp` and 1 from then on.
+//            Small waves have the height 2a · 2(cosh 2kD − 1)/(sinh 2kD + 2kD), ω² = gk tanh kD (Dean &
+//            Dalrymple 1991, eq. 6.25).
+//
+// Nodes behind the plane and less than wall_reach cells before it get v_x = U. First order in space; as water
+// next to it moves with it, nodes that it passes change little. At 24 cells of depth a wave of 0.2 D is 0.968
+// of that height after 10 D. Test: tests/unit/mpm/flume_test.cpp.
+#pragma once
+
+#include <limits>
+
+#include "mpm/boundaries/wall.h"
+
+namespace tidewater::mpm {
+
+enum class PistonMotion { solitary, sine };
+
+struct Piston {
+    PistonMotion motion = PistonMotion::solitary;
+    double height = 0.0;     // m, H
+    double depth = 0.0;      // m, D
+    double gravity = 9.81;   // m/s²
+    double amplitude = 0.0;  // m, a: half of the stroke of a sine
+    double period = 0.0;     // s
+    double ramp = 0.0;       // s
+
+    bool exists() const { return height > 0.0 || amplitude > 0.0; }
+    double position(double time) const;  // X, m; 0 before time 0
+    double velocity(double time) const;  // U, m/s
+};
+
+// What the nodes need to know of it at one time.
+struct MovingPlane {
+    int last = std::numeric_limits<int>::min();  // nodes up to this number along x move with it
+    double velocity = 0.0;                       // m/s
+};
+
+MovingPlane plane_at(double cell_size, const Piston& piston, double time);
+
+// Applies it to one block of nodes, after the walls; `block` as block_at gives it. Its work is its impulse
+// times its speed.
+template <int D, class Real>
+WallAction<D> apply_plane(const Layout<D>& layout, const MovingPlane& plane, const Index<D>& block,
+                          Node<Real>* nodes);
+
+}  // namespace tidewater::mpm

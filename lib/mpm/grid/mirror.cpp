@@ -1,0 +1,122 @@
+#include "mpm/grid/mirror.h"
+
+namespace tidewater::mpm {
+namespace {
+
+// A mirror in a tile: layers of nodes across an axis, counted in the tile.
+struct Pane {
+    Mirror mirror;
+    int axis, beyond, image;
+};
+
+// Calls visit(pane) for the mirrors in the tile of a block, axis after axis.
+template <int D, class Visit>
+void for_each_pane(const Layout<D>& layout, const Index<D>& block, const Visit& visit) {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        const int first = layout.first_node(block[axis]) - 1;
+        for (const int side : {0, 1}) {
+            const Mirror mirror = layout.mirrors[axis][static_cast<std::size_t>(side)];
+            const int plane = (side == 0 ? 0 : layout.cells[axis]) - first, outward = side == 0 ? -1 : 1;
+            if (mirror == Mirror::none || plane < 1 || plane > Block<D>::tile_width - 2) continue;
+            visit(Pane{mirror, static_cast<int>(axis), plane + outward, plane - outward});
+        }
+    }
+}
+
+// Calls visit(node beyond, its image) for all nodes of a tile that lie just beyond one mirror.
+template <int D, class Visit>
+void for_each_pair(const Pane& pane, const Visit& visit) {
+    const int stride = power(Block<D>::tile_width, D - 1 - pane.axis);
+    for (int start = 0; start < Block<D>::tile_nodes; start += stride * Block<D>::tile_width) {
+        for (int n = start; n < start + stride; ++n) {
+            visit(n + pane.beyond * stride, n + pane.image * stride);
+        }
+    }
+}
+
+// S as factors of a node's lanes.
+template <class Real>
+Node<Real> signs(const Pane& pane, Parity parity) {
+    Node<Real> s = Node<Real>::Ones();
+    if (parity == Parity::even) return s;
+    if (pane.mirror == Mirror::stick) s.template head<mass_lane>() = Real(-1);
+    s[pane.axis] = Real(-1);
+    return s;
+}
+
+template <int D, class Real>
+Vector<D, double> in_double(const Node<Real>& node) {
+    return node.template head<D>().template cast<double>().matrix();
+}
+
+}  // namespace
+
+template <int D>
+bool has_mirror(const Layout<D>& layout, const Index<D>& block) {
+    bool any = false;
+    for_each_pane<D>(layout, block, [&](const Pane&) { any = true; });
+    return any;
+}
+
+template <int D, class Real>
+Vector<D, double> fold(const Layout<D>& layout, const Index<D>& block, Parity parity, Node<Real>* tile) {
+    Vector<D, double> impulse = Vector<D, double>::Zero();
+    for_each_pane<D>(layout, block, [&](const Pane& pane) {
+        const Node<Real> sign = signs<Real>(pane, parity);
+        for_each_pair<D>(pane, [&](int beyond, int image) {
+            Node<Real>& from = tile[beyond];
+            const Real mass = from[mass_lane];
+            if (!(mass > Real(0))) return;  // what has gone through another mirror has none either
+            const Node<Real> reflected = sign * from;
+            tile[image] += reflected;
+            impulse += in_double<D, Real>(reflected) - in_double<D, Real>(from);
+            from.setZero();
+            if (parity == Parity::velocity) from[0] = mass;
+        });
+    });
+    return impulse;
+}
+
+template <int D, class Real>
+void unfold(const Layout<D>& layout, const Index<D>& block, Parity parity, Node<Real>* tile) {
+    for_each_pane<D>(layout, block, [&](const Pane& pane) {
+        const Node<Real> sign = signs<Real>(pane, parity);
+        for_each_pair<D>(pane, [&](int beyond, int image) { tile[beyond] = sign * tile[image]; });
+    });
+}
+
+template <int D, class Real>
+void load_velocities(const Grid<D, Real>& grid, std::size_t slot, Node<Real>* tile) {
+    load_tile(grid, grid.nodes, slot, tile);
+    unfold<D, Real>(grid.layout, block_at<D>(grid.particle_blocks[slot]), Parity::velocity, tile);
+}
+
+template <int D, class Real>
+Vector<D, double> unfolding_impulse(const Layout<D>& layout, const Index<D>& block,
+                                    const Node<Real>* velocities, Node<Real>* folded) {
+    Vector<D, double> impulse = Vector<D, double>::Zero();
+    for_each_pane<D>(layout, block, [&](const Pane& pane) {
+        for_each_pair<D>(pane, [&](int beyond, int image) {
+            const auto mass = static_cast<double>(folded[beyond][0]);
+            impulse +=
+                mass * (in_double<D, Real>(velocities[beyond]) - in_double<D, Real>(velocities[image]));
+            folded[beyond][0] = Real(0);  // counted; at a corner it lies beyond the next mirror, too
+        });
+    });
+    return impulse;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                \
+    template Vector<D, double> fold<D, Real>(const Layout<D>&, const Index<D>&, Parity, Node<Real>*); \
+    template void unfold<D, Real>(const Layout<D>&, const Index<D>&, Parity, Node<Real>*);            \
+    template void load_velocities(const Grid<D, Real>&, std::size_t, Node<Real>*);                    \
+    template Vector<D, double> unfolding_impulse<D, Real>(const Layout<D>&, const Index<D>&,          \
+                                                          const Node<Real>*, Node<Real>*);
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
+template bool has_mirror<2>(const Layout<2>&, const Index<2>&);
+template bool has_mirror<3>(const Layout<3>&, const Index<3>&);
+
+}  // namespace tidewater::mpm

@@ -1,0 +1,54 @@
+// Velocities of particles, read from the grid.
+//
+// Between steps velocities live on the nodes alone (mpm/state/simulation.h); a particle's are v_p = Σ w u and
+// Δx C = 4 Σ w u (x_i − x_p)ᵀ/Δx, as the next step will read them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/grid/mirror.h"
+#include "mpm/particles/particles.h"
+#include "mpm/particles/transfer.h"
+
+namespace tidewater::mpm {
+
+template <int D, class Real>
+using Tile = std::array<Node<Real>, static_cast<std::size_t>(Block<D>::tile_size)>;
+
+// Calls visit(block slot, block, particle, velocity (m/s), velocity gradient Δx C (m/s)) for all particles,
+// blocks in parallel, each block's particles in order.
+template <int D, class Real, class Visit>
+void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles, const Visit& visit) {
+    parallel_for(grid.particle_blocks.size(), [&](std::size_t slot) {
+        if (particles.begin[slot] == particles.begin[slot + 1]) return;
+        const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
+        Tile<D, Real> tile;
+        load_velocities(grid, slot, tile.data());
+        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+            Vector<D, Real> velocity;
+            Matrix<D, Real> gradient;
+            gather<D, Real>(local_position<D, Real>(particles, p), tile.data(), velocity, gradient);
+            visit(slot, block, p, velocity, gradient);
+        }
+    });
+}
+
+// The greatest √(|v_p|² + ¼ |Δx C_p|²) of a body's particles, m/s. By Bessel's inequality (1 and 2 (x_i −
+// x_p)/Δx are orthonormal under the weights) it is at most √(Σ w |v_i|²), so never above the fastest node's
+// speed, and less by far where that node has but a sliver of a particle's mass. While it stays below Δx/(2Δt)
+// no particle moves half a cell, and |Δt C| < 1: no volume is turned inside out.
+template <int D, class Real>
+double greatest_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
+    std::vector<double> greatest2(grid.particle_blocks.size());
+    for_each_motion(grid, particles,
+                    [&](std::size_t slot, const Index<D>&, std::size_t, const auto& v, const auto& g) {
+                        const auto motion2 = static_cast<double>(v.squaredNorm() + g.squaredNorm() / Real(4));
+                        greatest2[slot] = std::max(greatest2[slot], motion2);
+                    });
+    double most2 = 0.0;
+    for (const double motion2 : greatest2) most2 = std::max(most2, motion2);
+    return std::sqrt(most2);
+}
+
+}  // namespace tidewater::mpm

@@ -1,0 +1,98 @@
+// All that the future of a run depends on, besides what its Start already says (parameters, layout, which
+// bodies there are): the one place that knows what a checkpoint must hold.
+//
+//     save    visit_state(s, writer)
+//     load    s = make_simulation(start);  visit_state(s, reader);  relink(s)
+//
+// A loaded simulation goes on to the same bits as the saved one. A change of Block, of fraction_bits or of
+// what a value means needs a new format_version of checkpoints. Whoever adds a member to Simulation,
+// Particles, Grid or RigidBody that the next step reads adds a line here. Test: tests/unit/mpm/state/state_test.cpp
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "mpm/state/simulation.h"
+
+namespace tidewater::mpm {
+
+// Calls visit(name, value) for each value, with a name that is the same in every run: a number, an Eigen
+// vector or matrix of fixed size, or a std::vector of these, which a visitor that loads may resize.
+template <int D, class Real, class Visit>
+void visit_state(Simulation<D, Real>& s, const Visit& visit) {
+    visit("time", s.time);
+    visit("dt", s.dt);
+    visit("step", s.step);
+    visit("speeds.particle", s.speeds.particle);
+    visit("speeds.sound", s.speeds.sound);
+    visit("drift", s.drift);
+    visit("unknown_fill", s.unknown_fill);
+    visit("wall_impulse", s.wall_impulse);
+    visit("gravity_impulse", s.gravity_impulse);
+    visit("boundary_work", s.boundary_work);
+    visit("outflow.mass", s.outflow.mass);
+    visit("outflow.momentum", s.outflow.momentum);
+    visit("outflow.energy", s.outflow.energy);
+    visit("skimming.time", s.skimming.time);
+    visit("skimming.due", s.skimming.due);
+    visit("settling.going", s.settling.going);
+    visit("settling.stress", s.settling.stress);
+    visit("settling.energy", s.settling.energy);
+    visit("settling.quiet", s.settling.quiet);
+    visit("settling.time", s.settling.time);
+    visit("particle_blocks", s.grid.particle_blocks);
+    for (std::size_t body = 0; body < s.bodies.size(); ++body) {
+        const std::string of = "body" + std::to_string(body) + ".";
+        Particles<D, Real>& particles = s.bodies[body];
+        for_each_column(particles, [&](const std::string& name, auto& column) { visit(of + name, column); });
+        visit(of + "begin", particles.begin);
+    }
+    visit("nodes", s.grid.nodes);
+    for (std::size_t body = 0; body < s.rigid.size(); ++body) {
+        const std::string of = "rigid" + std::to_string(body) + ".";
+        RigidBody& rigid = s.rigid[body];
+        for (std::size_t axis = 0; axis < rigid.anchor.size(); ++axis) {
+            visit(of + "anchor" + std::to_string(axis), rigid.anchor[axis]);
+        }
+        visit(of + "center", rigid.center);
+        visit(of + "rotation", rigid.rotation.coeffs());  // (x, y, z, w)
+        visit(of + "velocity", rigid.velocity);
+        visit(of + "angular_momentum", rigid.angular_momentum);
+        visit(of + "angular_velocity", rigid.angular_velocity);
+        visit(of + "water_impulse", rigid.water_impulse);
+        visit(of + "water_turn", rigid.water_turn);
+        visit(of + "contact_impulse", rigid.contact_impulse);
+    }
+}
+
+// Makes what follows from the state: tiles and the links between them and nodes. False if arrays do not fit
+// each other, as those of a build with other blocks would; then the simulation cannot be used.
+template <int D, class Real>
+bool relink(Simulation<D, Real>& s) {
+    const auto& keys = s.grid.particle_blocks;
+    for (std::size_t slot = 1; slot < keys.size(); ++slot) {
+        if (keys[slot - 1] >= keys[slot]) return false;
+    }
+    for (const auto& particles : s.bodies) {
+        const auto& begin = particles.begin;
+        if (begin.size() != keys.size() + 1 || !std::is_sorted(begin.begin(), begin.end())) return false;
+        if (begin.front() != 0 || begin.back() != particles.size()) return false;
+        bool fits = true;
+        for_each_column(particles, [&](const std::string&, const auto& column) {
+            fits = fits && (column.empty() || column.size() == particles.size());
+        });
+        if (!fits || particles.position[0].size() != particles.size()) return false;
+    }
+    std::vector<BlockKey> blocks = std::move(s.grid.particle_blocks);
+    std::vector<Node<Real>> nodes = std::move(s.grid.nodes);
+    s.grid.particle_blocks.clear();
+    s.grid.node_blocks.clear();
+    s.grid.nodes.clear();
+    activate(s.grid, std::move(blocks));
+    if (s.grid.nodes.size() != nodes.size()) return false;
+    s.grid.nodes = std::move(nodes);
+    return true;
+}
+
+}  // namespace tidewater::mpm

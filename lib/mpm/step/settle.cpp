@@ -1,0 +1,105 @@
+#include "mpm/step/settle.h"
+
+#include <cmath>
+#include <limits>
+
+#include "mpm/particles/motion.h"
+
+namespace tidewater::mpm {
+namespace {
+
+constexpr int quiet_peaks = 3;  // in a row: one alone may be the ebb of a beat
+
+template <int D, class Real>
+bool has_ice(const Simulation<D, Real>& s) {
+    for (const auto& particles : s.bodies) {
+        if (particles.material == Material::ice) return true;
+    }
+    return false;
+}
+
+// Mass (kg) and kinetic energy (J) of what is to come to rest.
+struct Motion {
+    double mass = 0.0, energy = 0.0;
+};
+
+template <int D, class Real>
+Motion motion_of(const Simulation<D, Real>& s) {
+    const bool all = !has_ice(s);
+    Motion sum;
+    for (const auto& particles : s.bodies) {
+        if (!all && particles.material != Material::ice) continue;
+        std::vector<double> of_block(s.grid.particle_blocks.size(), 0.0);
+        for_each_motion(
+            s.grid, particles,
+            [&](std::size_t slot, const Index<D>&, std::size_t, const Vector<D, Real>& v,
+                const Matrix<D, Real>&) { of_block[slot] += v.template cast<double>().squaredNorm(); });
+        for (const double squares : of_block) sum.energy += 0.5 * particles.mass * squares;
+        sum.mass += particles.mass * static_cast<double>(particles.size());
+    }
+    return sum;
+}
+
+template <int D, class Real>
+void stop_everything(Simulation<D, Real>& s) {
+    for (auto& node : s.grid.nodes) node.template head<3>().setZero();
+    s.speeds.particle = 0.0;
+}
+
+template <int D, class Real>
+void begin_time(Simulation<D, Real>& s) {
+    s.settling.going = false;
+    s.step = 0;
+    s.dt = 0.0;
+    s.wall_impulse.setZero();
+    s.gravity_impulse = 0.0;
+    s.boundary_work = 0.0;
+    s.outflow = {};
+    for (RigidBody& body : s.rigid) {
+        body.water_impulse.setZero();
+        body.water_turn.setZero();
+        body.contact_impulse.setZero();
+    }
+}
+
+}  // namespace
+
+template <int D, class Real>
+void begin_settling(Simulation<D, Real>& s) {
+    s.settling = {.going = true, .stress = std::numeric_limits<double>::infinity()};
+}
+
+template <int D, class Real>
+bool settle_step(Simulation<D, Real>& s, double tolerance) {
+    Settling& settling = s.settling;
+    settling.time += s.dt;
+    advance(s, stable_time_step(s));
+    s.time = 0.0;
+    const Motion motion = motion_of(s);
+    const bool falls = motion.energy < settling.energy || (motion.energy == 0.0 && settling.time > 0.0);
+    if (!falls) {
+        settling.energy = motion.energy;
+        return false;
+    }
+    const bool ice = has_ice(s);
+    const double speed = std::sqrt(2.0 * settling.energy / motion.mass);
+    const double impedance = ice ? s.parameters.ice.density * s.parameters.ice.wave_speed(D)
+                                 : s.parameters.water.density * s.parameters.water.sound_speed;
+    settling.stress = impedance * speed;
+    settling.quiet = settling.stress <= tolerance ? settling.quiet + 1 : 0;
+    settling.energy = 0.0;
+    stop_everything(s);
+    if (settling.quiet < quiet_peaks) return false;
+    begin_time(s);
+    return true;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                  \
+    template void begin_settling(Simulation<D, Real>&); \
+    template bool settle_step(Simulation<D, Real>&, double);
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
+
+}  // namespace tidewater::mpm

@@ -1,0 +1,175 @@
+#include "mpm/step/skim.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/state/simulation.h"
+
+namespace tidewater::mpm {
+namespace {
+
+// A particle that may leave.
+struct Candidate {
+    double height;
+    std::size_t body, particle;
+};
+
+// What one column holds.
+struct Content {
+    double volume = 0.0;  // m³
+    std::vector<Candidate> top;
+};
+
+// Volume at rest of the water that stands so deep, per area, m.
+double still_depth(double depth, double gravity, const WaterModel& water) {
+    return water.scheme == WaterScheme::density ? weighed_depth(depth, gravity, water) : depth;
+}
+
+// Water in a column at rest: the mean over its lines of nodes' middles of what is above the bed.
+template <int D, class Real>
+std::vector<double> still_volumes(const Simulation<D, Real>& s, const SkimColumns<D>& columns) {
+    const double dx = s.grid.layout.cell_size, level = s.parameters.boundaries.sponge.level;
+    const Bed<D>& bed = s.parameters.boundaries.bed;
+    const auto still = [&](double depth) {
+        return still_depth(depth, s.parameters.gravity, s.parameters.water);
+    };
+    std::vector<double> volumes(static_cast<std::size_t>(columns.total()), columns.area() * still(level));
+    if (!bed.exists()) return volumes;
+    constexpr int across = D - 1;
+    const Vector<across, double> size =
+        (columns.high - columns.low)
+            .cwiseQuotient(
+                Eigen::Map<const Vector<across, int>>(columns.counts.data()).template cast<double>());
+    const int lines = std::max(static_cast<int>(std::ceil(size.maxCoeff() / dx)), 1);
+    for (int column = 0; column < columns.total(); ++column) {
+        double depth = 0.0;
+        for (int line = 0; line < power(lines, across); ++line) {
+            Vector<across, double> at = columns.middle(column);
+            for (int axis = 0, rest = line; axis < across; ++axis, rest /= lines)
+                at[axis] += size[axis] * ((rest % lines + 0.5) / lines - 0.5);
+            depth += still(std::max(level - bed.height(at), 0.0));
+        }
+        volumes[static_cast<std::size_t>(column)] = columns.area() * depth / power(lines, across);
+    }
+    return volumes;
+}
+
+template <int D, class Real>
+std::vector<Content> contents(const Simulation<D, Real>& s, const SkimColumns<D>& columns) {
+    const Layout<D>& layout = s.grid.layout;
+    const double lowest = s.parameters.boundaries.sponge.level - layout.cell_size;
+    std::vector<Content> contents(static_cast<std::size_t>(columns.total()));
+    for (std::size_t slot = 0; slot < s.grid.particle_blocks.size(); ++slot) {
+        const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+        // A particle may have drifted half a cell out of its block.
+        if (layout.cell_size * (layout.first_node(block[0]) + Block<D>::width + 1) < columns.low[0]) continue;
+        for (std::size_t body = 0; body < s.bodies.size(); ++body) {
+            const auto& particles = s.bodies[body];
+            if (particles.material != Material::water) continue;
+            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+                const Vector<D, double> point = global_position(layout, block, particles, p);
+                const int column = columns.at(point);
+                if (column < 0) continue;
+                Content& content = contents[static_cast<std::size_t>(column)];
+                content.volume += particles.volume;
+                if (point[D - 1] > lowest) content.top.push_back({point[D - 1], body, p});
+            }
+        }
+    }
+    return contents;
+}
+
+}  // namespace
+
+template <int D>
+int SkimColumns<D>::total() const {
+    int product = 1;
+    for (const int count : counts) product *= count;
+    return product;
+}
+
+template <int D>
+double SkimColumns<D>::area() const {
+    return (high - low).prod() / total();
+}
+
+template <int D>
+int SkimColumns<D>::at(const Vector<D, double>& point) const {
+    if (point[0] < low[0]) return -1;
+    int column = 0;
+    for (int axis = 0; axis < across; ++axis) {
+        const int count = counts[static_cast<std::size_t>(axis)];
+        const double share = (point[axis] - low[axis]) / (high[axis] - low[axis]);
+        column = column * count + std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
+    }
+    return column;
+}
+
+template <int D>
+Vector<SkimColumns<D>::across, double> SkimColumns<D>::middle(int column) const {
+    Vector<across, double> place;
+    for (int axis = across - 1; axis >= 0; --axis) {
+        const int count = counts[static_cast<std::size_t>(axis)];
+        place[axis] = low[axis] + (high[axis] - low[axis]) * (column % count + 0.5) / count;
+        column /= count;
+    }
+    return place;
+}
+
+template <int D, class Real>
+SkimColumns<D> skim_columns(const Simulation<D, Real>& s) {
+    const Sponge& sponge = s.parameters.boundaries.sponge;
+    SkimColumns<D> columns;
+    columns.low.setZero();
+    columns.low[0] = sponge.from;
+    for (int axis = 0; axis < D - 1; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        columns.high[axis] = s.grid.layout.cell_size * s.grid.layout.cells[a];
+        const double depths = (columns.high[axis] - columns.low[axis]) / sponge.level;
+        columns.counts[a] = std::max(static_cast<int>(std::lround(depths)), 1);
+    }
+    return columns;
+}
+
+template <int D, class Real>
+void skim(Simulation<D, Real>& s) {
+    const Sponge& sponge = s.parameters.boundaries.sponge;
+    if (!sponge.exists() || !(sponge.level > 0.0)) return;
+    const SkimColumns<D> columns = skim_columns(s);
+    Skimming& books = s.skimming;
+    if (books.still.empty()) books.still = still_volumes(s, columns);
+    books.due.resize(books.still.size(), 0.0);
+    auto all = contents(s, columns);
+    const double elapsed = s.time - books.time, least = -0.5 * s.grid.layout.cell_size * columns.area();
+    books.time = s.time;
+    std::vector<std::vector<std::size_t>> gone(s.bodies.size());
+    for (std::size_t column = 0; column < all.size(); ++column) {
+        const double sigma = sponge.damping(columns.middle(static_cast<int>(column))[0]);
+        const double excess = all[column].volume - books.still[column];
+        double& due = books.due[column];
+        due = std::max(due - std::expm1(-sigma * elapsed) * excess, least);
+        auto& top = all[column].top;
+        std::ranges::stable_sort(top, std::ranges::greater{}, &Candidate::height);
+        for (const Candidate& next : top) {
+            if (due < s.bodies[next.body].volume) break;
+            due -= s.bodies[next.body].volume;
+            gone[next.body].push_back(next.particle);
+        }
+    }
+    for (std::size_t body = 0; body < gone.size(); ++body) {
+        std::ranges::sort(gone[body]);
+        let_out(gone[body], s.bodies[body], s);
+    }
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                                \
+    template SkimColumns<D> skim_columns(const Simulation<D, Real>&); \
+    template void skim(Simulation<D, Real>&);
+template struct SkimColumns<2>;
+template struct SkimColumns<3>;
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
+
+}  // namespace tidewater::mpm

@@ -1,0 +1,180 @@
+#include "mpm/step/start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "mpm/particles/binning.h"
+#include "mpm/step/crowding.h"
+#include "mpm/particles/motion.h"
+
+namespace tidewater::mpm {
+namespace {
+
+// The depth of each point of a body of water below its surface, m.
+template <int D>
+std::vector<double> depths(const typename Start<D>::Body& body) {
+    if (!body.head.empty()) return body.head;
+    std::vector<double> depth;
+    for (const auto& point : body.points) depth.push_back(body.surface - point[D - 1]);
+    return depth;
+}
+
+// Water of the scheme `density` that is compressed by its weight: equal masses lie closer the deeper they
+// are, so that volumes and room agree from the start. The points move within their column, from its bottom to
+// the surface, and the body's mass becomes that of columns so filled. Returns j of each point.
+template <int D>
+std::vector<double> compress(const Start<D>& start, typename Start<D>::Body& body) {
+    const WaterModel& water = start.parameters.water;
+    const double gravity = start.parameters.gravity;
+    std::vector<double> j = depths<D>(body);
+    double denser =
+        0.0;  // mean over the points of the mass of their column over that of water without weight
+    for (std::size_t p = 0; p < j.size(); ++p) {
+        const double depth = std::max(j[p], 0.0);
+        double& z = body.points[p][D - 1];
+        const Bed<D>& bed = start.parameters.boundaries.bed;
+        const double ground =
+            bed.exists() ? std::max(bed.height(body.points[p].template head<D - 1>()), 0.0) : 0.0;
+        const double column = std::max(z - ground, 0.0) + depth;
+        const double mean = depth > 0.0 ? weighed_depth(column, gravity, water) / column : 1.0;
+        if (depth > 0.0) z += depth - depth_of_weight(mean * depth, gravity, water);
+        j[p] = j_under_weight(mean * depth, gravity, water);
+        denser += mean;
+    }
+    denser /= static_cast<double>(j.size());
+    body.mass *= denser;
+    body.volume *= denser;  // at rest
+    return j;
+}
+
+// j of each point of a body of water, which compress may move.
+template <int D>
+std::vector<double> hydrostatic_columns(const Start<D>& start, typename Start<D>::Body& body) {
+    if (start.parameters.water.scheme == WaterScheme::density) return compress(start, body);
+    std::vector<double> j = depths<D>(body);
+    for (double& h : j) h = hydrostatic_j(h, start.parameters.gravity, start.parameters.water);
+    return j;
+}
+
+// α = −asinh(p0/κ)/ξ of each point; what has no strength left has failed at time 0.
+template <int D, class Real>
+void fill_strength(const Start<D>& start, const typename Start<D>::Body& body,
+                   Particles<D, Real>& particles) {
+    const IceModel& ice = start.parameters.ice;
+    const double intact = ice.initial_alpha(D), share_of_kappa = std::sinh(-ice.hardening * intact);
+    particles.alpha.assign(body.points.size(), static_cast<Real>(intact));
+    particles.failure_time.assign(body.points.size(), std::numeric_limits<Real>::infinity());
+    for (std::size_t p = 0; p < body.strength.size(); ++p) {
+        const double strength = body.strength[p];
+        if (strength >= 1.0) continue;
+        particles.alpha[p] = static_cast<Real>(-std::asinh(strength * share_of_kappa) / ice.hardening);
+        if (strength <= 0.0) particles.failure_time[p] = Real(0);
+    }
+}
+
+// Fills the columns that the material needs, in the order of the points. Returns the least j.
+template <int D, class Real>
+double fill_columns(const Start<D>& start, const typename Start<D>::Body& body, const std::vector<double>& j,
+                    Particles<D, Real>& particles) {
+    double least_j = 0.0;
+    if (particles.material == Material::water) {
+        for (const double of_point : j) {
+            particles.j.push_back(static_cast<Real>(of_point));
+            least_j = std::min(least_j, of_point);
+        }
+    } else if (particles.material == Material::ice) {
+        for (auto& column : particles.strain) column.assign(body.points.size(), Real(0));
+        if (start.parameters.ice.fracture) fill_strength(start, body, particles);
+    }
+    return least_j;
+}
+
+// The start's velocities on the nodes; ids of a body count up from first_id.
+template <int D, class Real>
+void scatter_start(const Start<D>& start, const std::vector<const typename Start<D>::Body*>& bodies,
+                   Simulation<D, Real>& s) {
+    parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
+        Node<Real>* tile = s.grid.tile(slot);
+        std::fill_n(tile, Block<D>::tile_size, Node<Real>::Zero());
+        std::uint32_t first_id = 0;
+        for (std::size_t body = 0; body < bodies.size(); ++body) {
+            const auto& particles = s.bodies[body];
+            const auto& velocity = bodies[body]->velocity;
+            const auto& gradient = bodies[body]->gradient;
+            Tile<D, Real> own;
+            own.fill(Node<Real>::Zero());
+            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
+                const std::size_t point = particles.id[p] - first_id;
+                Vector<D, double> momentum = Vector<D, double>::Zero();
+                Matrix<D, double> change = Matrix<D, double>::Zero();
+                if (!velocity.empty()) momentum = particles.mass * velocity[point];
+                if (!gradient.empty()) change = particles.mass * start.cell_size * gradient[point];
+                scatter<D, Real>(local_position(particles, p), static_cast<Real>(particles.mass),
+                                 momentum.template cast<Real>(), change.template cast<Real>(), own.data());
+            }
+            fold<D, Real>(s.grid.layout, block_at<D>(s.grid.particle_blocks[slot]), Parity::velocity,
+                          own.data());
+            for (std::size_t n = 0; n < own.size(); ++n) tile[n] += own[n];
+            first_id += static_cast<std::uint32_t>(particles.size());
+        }
+    });
+    std::vector<double> greatest(s.grid.node_blocks.size(), 0.0);
+    parallel_for(greatest.size(), [&](std::size_t slot) {
+        Node<Real>* nodes = s.grid.block_nodes(slot);
+        sum_tiles<D, Real>(s.grid.tiles_of_node[slot], s.grid.tiles.data(), nodes);
+        momentum_to_velocity<D, Real>(Real(0), nodes);
+        for (int n = 0; n < Block<D>::nodes; ++n) {
+            const double speed = static_cast<double>(nodes[n].template head<D>().matrix().norm());
+            if (!(speed <= greatest[slot])) greatest[slot] = speed;  // also if it is not a number
+            if (!std::isfinite(speed)) return;
+        }
+    });
+    for (const double speed : greatest) {
+        if (!std::isfinite(speed)) throw NumericsError("a velocity of the start is not a number");
+        s.speeds.particle = std::max(s.speeds.particle, speed);
+    }
+}
+
+}  // namespace
+
+template <int D, class Real>
+Simulation<D, Real> make_simulation(Start<D> start) {
+    Simulation<D, Real> s;
+    s.parameters = start.parameters;
+    s.grid.layout = Layout<D>{start.cell_size, start.cells, mirrors_of(start.parameters.boundaries)};
+    std::vector<const typename Start<D>::Body*> bodies;
+    std::vector<std::span<const Vector<D, double>>> points;
+    double least_j = 0.0;
+    for (auto& body : start.bodies) {
+        if (body.points.empty()) continue;
+        std::vector<double> j;
+        if (body.material == Material::water) j = hydrostatic_columns(start, body);
+        bodies.push_back(&body);
+        points.emplace_back(body.points);
+        Particles<D, Real>& particles = s.bodies.emplace_back();
+        const auto count = static_cast<double>(body.points.size());
+        particles.material = body.material;
+        particles.mass = body.mass / count;
+        particles.volume = body.volume / count;
+        least_j = std::min(least_j, fill_columns(start, body, j, particles));
+    }
+    update_sound(s, least_j);
+    place<D, Real>(points, s.grid, s.bodies);
+    mark_unknown_fill(s);
+    scatter_start(start, bodies, s);
+    for (const RigidStart<D>& body : start.rigid) {
+        s.rigid.push_back(make_rigid_body(body, start.cell_size));
+        s.speeds.particle = std::max(s.speeds.particle, greatest_speed(s.rigid.back()));
+    }
+    return s;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real) template Simulation<D, Real> make_simulation(Start<D>);
+TIDEWATER_INSTANTIATE(2, float)
+TIDEWATER_INSTANTIATE(2, double)
+TIDEWATER_INSTANTIATE(3, float)
+TIDEWATER_INSTANTIATE(3, double)
+
+}  // namespace tidewater::mpm
