@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analysis/surface_line.h"
+#include "core/spline.h"
 #include "core/types.h"
 
 namespace tidewater::analysis {
@@ -66,8 +67,8 @@ Lines spread_volume(const ParticleCloud& cloud, const Tank& tank, std::span<cons
             continue;
         const double x = cloud.points[3 * p], y = cloud.points[3 * p + 1], z = cloud.points[3 * p + 2];
         for (const std::size_t place : bins.near(x)) {
-            double weight = surface_spline((x - places[place].x) / tank.cell_size);
-            if (tank.dimension == 3) weight *= surface_spline((y - places[place].y) / tank.cell_size);
+            double weight = quadratic_spline((x - places[place].x) / tank.cell_size);
+            if (tank.dimension == 3) weight *= quadratic_spline((y - places[place].y) / tank.cell_size);
             if (weight > 0.0)
                 spread_on_line(z, weight * cloud.volume[p], tank.cell_size, lines.samples, lines.line(place));
         }

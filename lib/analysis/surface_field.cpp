@@ -9,6 +9,7 @@
 
 #include "analysis/surface_line.h"
 #include "core/parallel.h"
+#include "core/spline.h"
 #include "core/types.h"
 
 namespace tidewater::analysis {
@@ -93,8 +94,8 @@ void gather(const Columns& columns, const Lattice& lattice, int dimension, int i
             columns.start[row + static_cast<std::size_t>(std::min(i + 1, lattice.along - 1)) + 1];
         for (std::size_t d = first; d < end; ++d) {
             const Drop& drop = columns.drops[d];
-            double weight = surface_spline((drop.x - x) / cell);
-            if (dimension == 3) weight *= surface_spline((drop.y - y) / cell);
+            double weight = quadratic_spline((drop.x - x) / cell);
+            if (dimension == 3) weight *= quadratic_spline((drop.y - y) / cell);
             if (weight > 0.0) spread_on_line(drop.z, weight * drop.volume, cell, samples, line);
         }
     }

@@ -4,29 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "core/spline.h"
+
 namespace tidewater::analysis {
 namespace {
 
 constexpr double samples_per_cell = 4.0;
 
-// The spline's integral from minus infinity to u.
-double spline_integral(double u) {
-    if (u <= -1.5) return 0.0;
-    if (u <= -0.5) return (u + 1.5) * (u + 1.5) * (u + 1.5) / 6.0;
-    if (u <= 0.5) return 0.5 + 0.75 * u - u * u * u / 3.0;
-    return u < 1.5 ? 1.0 - (1.5 - u) * (1.5 - u) * (1.5 - u) / 6.0 : 1.0;
-}
-
 }  // namespace
 
-double surface_spline(double u) {
-    const double distance = std::abs(u);
-    if (distance < 0.5) return 0.75 - u * u;
-    return distance < 1.5 ? 0.5 * (1.5 - distance) * (1.5 - distance) : 0.0;
-}
-
 double spline_share(double center, double low, double high, double cell_size) {
-    return spline_integral((high - center) / cell_size) - spline_integral((low - center) / cell_size);
+    return quadratic_spline_integral((high - center) / cell_size) -
+           quadratic_spline_integral((low - center) / cell_size);
 }
 
 LineSamples::LineSamples(const Tank& tank)
@@ -41,7 +30,7 @@ void spread_on_line(double z, double amount, double cell_size, const LineSamples
     const auto first = static_cast<std::size_t>(std::max(std::ceil((z - reach) / spacing), 0.0));
     const auto last = static_cast<std::size_t>(std::min(std::floor((z + reach) / spacing), top));
     for (std::size_t k = first; k <= last; ++k)
-        line[k] += amount * surface_spline((z - static_cast<double>(k) * spacing) / cell_size);
+        line[k] += amount * quadratic_spline((z - static_cast<double>(k) * spacing) / cell_size);
 }
 
 double full_line(const Place& place, const Tank& tank) {

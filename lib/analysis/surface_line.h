@@ -9,9 +9,6 @@
 
 namespace tidewater::analysis {
 
-// The quadratic B-spline N; u in cells.
-double surface_spline(double u);
-
 // c: the share of the spline centred at `center` that lies in [low, high].
 double spline_share(double center, double low, double high, double cell_size);
 

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/spline.h"
 #include "io/text.h"
 #include "io/vtk_file.h"
 
@@ -39,19 +40,12 @@ struct Shares {
     std::array<float, 3 * width + 1> of;
 };
 
-// N of width 1: a quadratic B-spline.
-double spline(double x) {
-    const double a = std::abs(x);
-    if (a < 0.5) return 0.75 - a * a;
-    return a < 1.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0.0;
-}
-
 // `at` in spacings of the grid.
 Shares shares(double at) {
     Shares result{static_cast<int>(std::ceil(at - 1.5 * width)), {}};
     for (std::size_t k = 0; k < result.of.size(); ++k) {
         const double from = result.first + static_cast<int>(k) - at;
-        result.of[k] = static_cast<float>(spline(from / width) / width);
+        result.of[k] = static_cast<float>(quadratic_spline(from / width) / width);
     }
     return result;
 }

@@ -18,11 +18,11 @@
 #include "geometry/box.h"
 #include "geometry/polygon.h"
 #include "geometry/profile.h"
-#include "mpm/boundaries/boundary.h"
-#include "mpm/materials/ice.h"
 #include "mpm/bodies/rigid.h"
-#include "mpm/state/simulation.h"
+#include "mpm/boundaries/boundaries.h"
+#include "mpm/materials/ice.h"
 #include "mpm/materials/water.h"
+#include "mpm/state/simulation.h"
 #include "scene/toml_document.h"
 
 namespace tidewater::scene {

@@ -59,7 +59,7 @@ Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
 using Impulses = std::array<Eigen::Vector3d, 3>;  // water's, its turn, contacts'
 
 Impulses impulses_of(const mpm::RigidBody& body) {
-    return {body.water_impulse, body.water_turn, body.contact_impulse};
+    return {body.water_impulse, body.water_angular_impulse, body.contact_impulse};
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void BodiesTable::append(const mpm::Simulation<D, Real>& s) {
         append_turn(D, degrees * rotation_vector(body.rotation), row);
         append_vector(D, body.velocity, row);
         append_turn(D, body.angular_velocity, row);
-        row.push_back(greatest_speed(body));
+        row.push_back(max_speed(body));
         append_vector(D, force[0], row);
         append_turn(D, force[1], row);
         append_vector(D, force[2], row);

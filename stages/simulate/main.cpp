@@ -40,7 +40,7 @@ void log_summary(const mpm::Simulation<D, Real>& s, const Records<D, Real>& reco
                "by %.2g kg m/s of %.3g",
                records.start_energy(), records.energy() - records.start_energy(),
                records.highest_energy() - records.start_energy(), records.momentum_residual(),
-               std::abs(s.gravity_impulse)));
+               std::abs(s.accounts.gravity_impulse)));
 }
 
 // Runs what start or checkpoint gave; the records begin anew or go on likewise.

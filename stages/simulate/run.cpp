@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "format.h"
 #include "mpm/step/settle.h"
+#include "mpm/step/step.h"
 
 namespace tidewater {
 namespace {

@@ -61,6 +61,10 @@ mpm::Sponge make_sponge(const scene::Scene& scene) {
             .level = scene.water.depth};
 }
 
+mpm::Outlet make_outlet(const scene::Scene& scene) {
+    return {.from = scene.domain.size.front() - scene.outlet.width, .level = scene.water.depth};
+}
+
 template <int D>
 mpm::Boundaries<D> make_boundaries(const scene::Scene& scene, const Ground& ground) {
     mpm::Boundaries<D> boundaries;
@@ -75,15 +79,10 @@ mpm::Boundaries<D> make_boundaries(const scene::Scene& scene, const Ground& grou
     if (scene.has("push")) boundaries.push = {scene.push.speed, scene.push.ramp};
     if (scene.has("piston")) boundaries.piston = make_piston(scene);
     if (scene.has("sponge")) boundaries.sponge = make_sponge(scene);
+    if (scene.has("outlet")) boundaries.outlet = make_outlet(scene);
     return boundaries;
 }
 
-mpm::Outlet make_outlet(const scene::Scene& scene) {
-    if (!scene.has("outlet")) return {};
-    return {.from = scene.domain.size.front() - scene.outlet.width, .level = scene.water.depth};
-}
-
-// `block`: how many blocks came before.
 template <int D>
 std::vector<mpm::RigidStart<D>> make_blocks(const scene::Scene& scene) {
     std::vector<mpm::RigidStart<D>> blocks;
@@ -161,7 +160,6 @@ mpm::Start<D> make_start(const scene::Scene& scene, const std::filesystem::path&
                         .water = scene.water.model,
                         .ice = ice_model(scene),
                         .boundaries = make_boundaries<D>(scene, read_ground(scene, file)),
-                        .outlet = make_outlet(scene),
                         .transfer = scene.simulate.transfer};
     start.rigid = make_blocks<D>(scene);
     std::size_t count = 0;

@@ -27,7 +27,8 @@ mpm::Start<D> long_ice_box(int length, int across, double gravity = 0.0) {
     return ice_box<D>(cells, gravity);
 }
 
-// All particles are finite and in the box, to the half cell beyond a wall that mpm/boundaries/boundary.h allows.
+// All particles are finite and in the box, to the half cell beyond a wall that mpm/boundaries/boundaries.h
+// allows.
 template <int D, class Real>
 void check_in_box(const mpm::Simulation<D, Real>& s) {
     const auto state = read_state(s);
@@ -47,8 +48,8 @@ void check_in_box(const mpm::Simulation<D, Real>& s) {
 // (scale, kg m/s).
 template <int D, class Real>
 void check_momentum(const mpm::Simulation<D, Real>& s, const Vector<D, double>& at_start, double scale) {
-    Vector<D, double> open = mpm::take_ledger(s).momentum - at_start - s.wall_impulse;
-    open[D - 1] -= s.gravity_impulse;
+    Vector<D, double> open = mpm::take_ledger(s).momentum - at_start - s.accounts.wall_impulse;
+    open[D - 1] -= s.accounts.gravity_impulse;
     CHECK(open.norm() / scale < (sizeof(Real) == 4 ? 1e-5 : 1e-13));
 }
 
@@ -64,12 +65,14 @@ double moving_mass(const mpm::Simulation<D, Real>& s) {
 // Goes on until a time, in s, and checks all that must hold for every ice in every state.
 template <int D, class Real>
 void check_run(double until, mpm::Simulation<D, Real>& s) {
-    const Vector<D, double> given = s.wall_impulse + s.gravity_impulse * Vector<D, double>::Unit(D - 1);
+    const Vector<D, double> given =
+        s.accounts.wall_impulse + s.accounts.gravity_impulse * Vector<D, double>::Unit(D - 1);
     const Vector<D, double> momentum = mpm::take_ledger(s).momentum - given;
     const double moving = moving_mass(s);
     while (s.time < until) mpm::advance(s, mpm::stable_time_step(s));
     check_in_box(s);
-    check_momentum(s, momentum, moving + std::abs(s.gravity_impulse) + s.wall_impulse.norm());
+    check_momentum(s, momentum,
+                   moving + std::abs(s.accounts.gravity_impulse) + s.accounts.wall_impulse.norm());
 }
 
 // How many particles of a body are failed ice, as a share.

@@ -1,5 +1,5 @@
-// The slow twin's rigid body: a box, and how the nodes of a dense grid meet it (mpm/bodies/rigid.h, mpm/step/contact.h).
-// No walls: bodies of twins stay away from them.
+// The slow twin's rigid body: a box, and how the nodes of a dense grid meet it (mpm/bodies/rigid.h,
+// mpm/step/contact.h). No walls: bodies of twins stay away from them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mpm/step/start.h"
+#include "mpm/step/step.h"
 
 namespace tidewater::test {
 

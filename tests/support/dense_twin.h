@@ -6,8 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "mpm/materials/water_material.h"
 #include "mpm/step/crowding.h"
 #include "mpm/step/start.h"
+#include "mpm/step/step.h"
 #include "support/dense_body.h"
 #include "support/dense_ice.h"
 
@@ -164,7 +166,8 @@ struct DenseTwin {
         return sum;
     }
 
-    // Whether J follows the room that particles have (mpm/step/crowding.h); here only for water between mirrors.
+    // Whether J follows the room that particles have (mpm/step/crowding.h); here only for water between
+    // mirrors.
     bool follows_room() const { return start.parameters.water.scheme == mpm::WaterScheme::density; }
 
     // What water alone fills of a node in the box.
@@ -186,7 +189,7 @@ struct DenseTwin {
         double fill = water_fill(i);
         for (const DenseBody<D>& body : rigid) fill += share_at(body, i).value;
         i[D - 1] += 1;
-        return fill > mpm::least_fill || water_fill(i) > mpm::least_fill ? fill - 1 : 0;
+        return fill > mpm::min_fill || water_fill(i) > mpm::min_fill ? fill - 1 : 0;
     }
     double smooth_crowding(const Cell& i) const {
         double sum = 0;
@@ -294,12 +297,12 @@ struct DenseTwin {
                 double e = 0;
                 for_each_node(p.x, [&](const Cell& i, double w, const Vec&) { e += w * smooth_crowding(i); });
                 const double fall = std::sqrt(dx / start.parameters.gravity);
-                made_good = std::min(dt / fall, mpm::greatest_rate) * (1 / (1 + e) - 1 - p.j);
+                made_good = std::min(dt / fall, mpm::max_crowding_rate) * (1 / (1 + e) - 1 - p.j);
             }
             p.x += dt * p.v;
             const double growth = dt * p.c.trace();
-            p.j += (1 + p.j) * (follows_room() ? std::max(growth, mpm::least_growth) : growth) + made_good;
-            if (follows_room()) p.j = std::min(p.j, mpm::greatest_j);
+            p.j += (1 + p.j) * (follows_room() ? std::max(growth, mpm::min_growth) : growth) + made_good;
+            if (follows_room()) p.j = std::min(p.j, mpm::max_j);
             const Mat change = Mat::Identity() + dt * p.c;
             p.b = change * p.b * change.transpose();
             const bool may_fail = material(p) == Material::ice && start.parameters.ice.fracture;

@@ -1,10 +1,11 @@
 // The energy that goes with the positions.
 //
-// Velocities run half a step behind and ahead of the positions (mpm/state/ledger.h): ½ m v_n · v_n+1 is the kinetic
-// energy that goes with x_n, exactly so for a falling stone.
+// Velocities run half a step behind and ahead of the positions (mpm/state/ledger.h): ½ m v_n · v_n+1 is the
+// kinetic energy that goes with x_n, exactly so for a falling stone.
 #pragma once
 
 #include "mpm/state/ledger.h"
+#include "mpm/step/step.h"
 #include "support/state.h"
 
 namespace tidewater::test {

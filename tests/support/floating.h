@@ -87,9 +87,9 @@ double deepest_particle(const mpm::Simulation<2, Real>& s, const mpm::RigidBody&
 // One block's motion, each step's, from the start on.
 struct Track {
     std::vector<double> time, height, speed, angle;  // s, m, m/s upward, degrees
-    double most_energy = 0.0;                        // above its start, J/m (mpm/state/ledger.h: half a step ahead)
-    double energy = 0.0;                             // at the end, above the start, J/m
-    double deepest = 0.0;                            // particle within the block at any time, cells
+    double most_energy = 0.0;  // above its start, J/m (mpm/state/ledger.h: half a step ahead)
+    double energy = 0.0;       // at the end, above the start, J/m
+    double deepest = 0.0;      // particle within the block at any time, cells
 };
 
 template <class Real>

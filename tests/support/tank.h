@@ -5,6 +5,7 @@
 
 #include "core/random.h"
 #include "mpm/step/start.h"
+#include "mpm/step/step.h"
 
 namespace tidewater::test {
 

@@ -90,7 +90,7 @@ inline Echo echo_of(double sponge, int cells) {
         echo.crest = std::max(echo.crest, echo.last);
         echo.trough = std::min(echo.trough, echo.last);
     }
-    echo.taken = s.outflow.mass / (1000.0 * 2.0 * height / std::sqrt(0.75 * height));
+    echo.taken = s.accounts.outflow.mass / (1000.0 * 2.0 * height / std::sqrt(0.75 * height));
     return echo;
 }
 

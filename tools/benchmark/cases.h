@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "mpm/step/start.h"
+#include "mpm/step/step.h"
 
 namespace tidewater::benchmark {
 

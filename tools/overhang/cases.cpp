@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "io/table.h"
 #include "io/text.h"
-#include "mpm/boundaries/boundary.h"
+#include "mpm/boundaries/boundaries.h"
 #include "mpm/materials/ice.h"
 #include "scene/scene.h"
 

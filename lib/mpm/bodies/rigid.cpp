@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/spline.h"
+#include "mpm/base/instantiate.h"
 #include "mpm/bodies/lift.h"
+#include "mpm/grid/mirror.h"
 
 namespace tidewater::mpm {
 namespace {
-
-// N, the quadratic B-spline, and Φ, its integral from −∞; t in cells.
-double spline(double t) {
-    const double a = std::abs(t);
-    if (a >= 1.5) return 0.0;
-    return a < 0.5 ? 0.75 - a * a : 0.5 * (1.5 - a) * (1.5 - a);
-}
-
-double spline_integral(double t) {
-    const double a = std::min(std::abs(t), 1.5), rest = 1.5 - a;
-    const double above = a < 0.5 ? 0.5 - 0.75 * a + a * a * a / 3.0 : rest * rest * rest / 6.0;  // 1 − Φ(a)
-    return t < 0.0 ? above : 1.0 - above;
-}
 
 template <int D>
 constexpr std::array<int, static_cast<std::size_t>(D)> own_axes() {
@@ -74,15 +64,12 @@ template <int D>
 Panes panes_near(const Layout<D>& layout, const RigidBody& body, const Index<D>& anchor) {
     const double reach = body.radius() + 3.0 * layout.cell_size;
     Panes panes;
-    for (std::size_t a = 0; a < D; ++a) {
-        const int axis = a == D - 1 ? 2 : static_cast<int>(a);
-        for (const std::size_t far : {std::size_t{0}, std::size_t{1}}) {
-            const double plane =
-                layout.cell_size * ((far ? layout.cells[a] : 0) - anchor[a]) - body.center[axis];
-            if (layout.mirrors[a][far] != Mirror::none && std::abs(plane) < reach)
-                panes.all[panes.count++] = {axis, plane};
-        }
-    }
+    for_each_mirror(layout, [&](int a, std::size_t, Mirror, int node, int) {
+        const int axis = a == D - 1 ? 2 : a;
+        const double plane =
+            layout.cell_size * (node - anchor[static_cast<std::size_t>(a)]) - body.center[axis];
+        if (std::abs(plane) < reach) panes.all[panes.count++] = {axis, plane};
+    });
     return panes;
 }
 
@@ -105,14 +92,14 @@ RigidBody make_rigid_body(const RigidStart<D>& start, double cell_size) {
     body.inertia = Eigen::Vector3d::Constant(squares.sum()) - squares;
     body.velocity = lift<D>(start.velocity);
     body.angular_velocity = {0.0, -start.spin, 0.0};
-    body.angular_momentum = turned_inertia(body) * body.angular_velocity;
+    body.angular_momentum = world_inertia(body) * body.angular_velocity;
     body.contact = start.contact;
     body.friction = start.friction;
     body.surface = surface_points<D>(body.half_size, cell_size);
     return body;
 }
 
-Eigen::Matrix3d turned_inertia(const RigidBody& body) {
+Eigen::Matrix3d world_inertia(const RigidBody& body) {
     const Eigen::Matrix3d r = body.rotation.toRotationMatrix();
     return r * body.inertia.asDiagonal() * r.transpose();
 }
@@ -123,7 +110,7 @@ void move_rigid_body(double dt, RigidBody& body) {
     if (angle > 0.0) {
         const Eigen::AngleAxisd turn(angle, body.angular_velocity.normalized());
         body.rotation = (Eigen::Quaterniond(turn) * body.rotation).normalized();
-        body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
+        body.angular_velocity = world_inertia(body).ldlt().solve(body.angular_momentum);
     }
 }
 
@@ -132,14 +119,14 @@ double kinetic_energy(const RigidBody& body) {
            0.5 * body.angular_velocity.dot(body.angular_momentum);
 }
 
-double greatest_speed(const RigidBody& body) {
-    double most = 0.0;
+double max_speed(const RigidBody& body) {
+    double max2 = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d sign(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-        most =
-            std::max(most, body.velocity_at(body.rotation * sign.cwiseProduct(body.half_size)).squaredNorm());
+        max2 =
+            std::max(max2, body.velocity_at(body.rotation * sign.cwiseProduct(body.half_size)).squaredNorm());
     }
-    return std::sqrt(most);
+    return std::sqrt(max2);
 }
 
 template <int D>
@@ -150,8 +137,8 @@ NodeShare share_of(const RigidBody& body, double cell_size, const Eigen::Vector3
         const double ahead = (body.half_size[k] - r[k]) / cell_size;
         const double behind = (-body.half_size[k] - r[k]) / cell_size;
         if (ahead <= -1.5 || behind >= 1.5) return {};
-        share[k] = spline_integral(ahead) - spline_integral(behind);
-        slope[k] = (spline(behind) - spline(ahead)) / cell_size;
+        share[k] = quadratic_spline_integral(ahead) - quadratic_spline_integral(behind);
+        slope[k] = (quadratic_spline(behind) - quadratic_spline(ahead)) / cell_size;
     }
     const Eigen::Vector3d others(share[1] * share[2], share[0] * share[2], share[0] * share[1]);
     return {share.prod(), body.rotation * slope.cwiseProduct(others)};
@@ -231,7 +218,6 @@ std::vector<Vector<D, double>> points_within(const RigidBody& body, double cell_
     template NodeShare share_of_node<D>(const Layout<D>&, const RigidBody&, const Index<D>&); \
     template NodeRange<D> reach_of<D>(const Layout<D>&, const RigidBody&);                    \
     template std::vector<Vector<D, double>> points_within<D>(const RigidBody&, double, double);
-TIDEWATER_INSTANTIATE(2)
-TIDEWATER_INSTANTIATE(3)
+TIDEWATER_FOR_EACH_DIMENSION(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -4,9 +4,9 @@
 //     I = R diag(I₁, I₂, I₃) Rᵀ,   I₁ = (h₂² + h₃²) M/3 …,   with half edges h and mass M
 //
 // It is no cloud of particles: its place, motion and shape are known exactly, and the grid's nodes meet it in
-// mpm/step/contact.h, walls and other bodies in mpm/bodies/collide.h. 2D is treated as the x–z plane of 3D, with h₂ = 0.
-// Positions are relative to a node near the body's start, so that a scene moved by whole blocks gives the
-// same bits.
+// mpm/step/contact.h, walls and other bodies in mpm/bodies/collide.h. 2D is treated as the x–z plane of 3D,
+// with h₂ = 0. Positions are relative to a node near the body's start, so that a scene moved by whole blocks
+// gives the same bits.
 //
 // What the body leaves of a node's room is its share of the node,
 //
@@ -50,7 +50,7 @@ struct RigidBody {
     Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // ω, rad/s
 
     // What water and ice, and what walls and other bodies gave it since the start, kg m/s and kg m²/s.
-    Eigen::Vector3d water_impulse = Eigen::Vector3d::Zero(), water_turn = Eigen::Vector3d::Zero();
+    Eigen::Vector3d water_impulse = Eigen::Vector3d::Zero(), water_angular_impulse = Eigen::Vector3d::Zero();
     Eigen::Vector3d contact_impulse = Eigen::Vector3d::Zero();
 
     // What stays as it is.
@@ -85,13 +85,13 @@ RigidBody make_rigid_body(const RigidStart<D>& start, double cell_size);
 // c and R advance by dt.
 void move_rigid_body(double dt, RigidBody& body);
 
-Eigen::Matrix3d turned_inertia(const RigidBody& body);
+Eigen::Matrix3d world_inertia(const RigidBody& body);
 
 // ½ M V² + ½ ω·L, J.
 double kinetic_energy(const RigidBody& body);
 
 // Of its corners, the fastest points, m/s.
-double greatest_speed(const RigidBody& body);
+double max_speed(const RigidBody& body);
 
 struct NodeShare {
     double value = 0.0;                               // s, from 0 to 1

@@ -4,39 +4,20 @@
 #include <cassert>
 #include <cmath>
 
+#include "mpm/base/instantiate.h"
+
 namespace tidewater::mpm {
 namespace {
 
 template <int D>
-constexpr int columns = power(Block<D>::width, D - 1);  // of nodes in a block, along the last axis
-
-// The nodes of one column that the bed acts on: those below `top`.
-template <int D>
-struct Ground {
-    Vector<D, double> normal;  // without components into the side walls
-    double top;                // m
-};
-
-// Where a column of nodes stands; y fastest.
-template <int D>
-Index<D> column_at(const Layout<D>& layout, const Index<D>& block, int column) {
-    Index<D> at{};
-    for (int axis = D - 2, rest = column; axis >= 0; --axis, rest /= Block<D>::width) {
-        const auto a = static_cast<std::size_t>(axis);
-        at[a] = layout.first_node(block[a]) + rest % Block<D>::width;
-    }
-    return at;
-}
-
-template <int D>
-Ground<D> ground_of(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& column) {
+typename Bed<D>::Ground ground_of(const Layout<D>& layout, const Bed<D>& bed, const Index<D - 1>& column) {
     Vector<D - 1, double> place;
     for (int axis = 0; axis < D - 1; ++axis) {
         place[axis] = layout.cell_size * column[static_cast<std::size_t>(axis)];
     }
     const Vector<D - 1, double> slope = bed.slope(place, layout.cell_size);
     const double steepness = std::sqrt(1.0 + slope.squaredNorm());
-    Ground<D> ground;
+    typename Bed<D>::Ground ground;
     ground.normal << -slope, 1.0;
     ground.top = bed.height(place) + wall_reach * layout.cell_size * steepness;
     for (std::size_t axis = 0; axis < D - 1; ++axis) {
@@ -45,18 +26,6 @@ Ground<D> ground_of(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& 
     }
     ground.normal.normalize();
     return ground;
-}
-
-template <int D, class Real>
-void apply_rule(WallRule rule, const Vector<D, double>& normal, Node<Real>& velocity) {
-    if (rule == WallRule::stick) {
-        velocity.template head<D>().setZero();
-        return;
-    }
-    const Vector<D, Real> n = normal.template cast<Real>();
-    const Real outward = n.dot(velocity.template head<D>().matrix());
-    if (rule == WallRule::separate && outward >= Real(0)) return;
-    velocity.template head<D>() -= outward * n.array();
 }
 
 }  // namespace
@@ -99,38 +68,35 @@ Vector<Bed<D>::across, double> Bed<D>::slope(const Vector<across, double>& at, d
     return slope;
 }
 
-template <int D, class Real>
-WallAction<D> apply_bed(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& block,
-                        Node<Real>* nodes) {
-    WallAction<D> action;
-    if (!bed.exists()) return action;
-    std::array<Ground<D>, static_cast<std::size_t>(columns<D>)> ground;
+template <int D>
+std::optional<typename Bed<D>::UnderBlock> Bed<D>::Acting::on(const Index<D>& block) const {
+    if (!bed.exists()) return {};
+    UnderBlock under{layout, bed.rule, block, {}};
     double highest = 0.0;
-    for (int column = 0; column < columns<D>; ++column) {
-        auto& here = ground[static_cast<std::size_t>(column)];
-        here = ground_of(layout, bed, column_at(layout, block, column));
-        highest = column == 0 ? here.top : std::max(highest, here.top);
+    for (int n = 0; n < power(Block<D>::width, across); ++n) {
+        Index<across> column = index_of<across>(n, Block<D>::width);
+        for (std::size_t axis = 0; axis < across; ++axis) column[axis] += layout.first_node(block[axis]);
+        Ground& ground = under.columns[static_cast<std::size_t>(n)];
+        ground = ground_of<D>(layout, bed, column);
+        highest = n == 0 ? ground.top : std::max(highest, ground.top);
     }
-    if (layout.cell_size * layout.first_node(block[D - 1]) >= highest) return action;
-    action.impulse = change_nodes<D, Real>(layout, block, nodes, [&](const Index<D>& at, Node<Real>& node) {
-        std::size_t column = 0;
-        for (std::size_t axis = 0; axis < D - 1; ++axis) {
-            column = column * static_cast<std::size_t>(Block<D>::width) +
-                     static_cast<std::size_t>(at[axis] - layout.first_node(block[axis]));
-        }
-        const Ground<D>& here = ground[column];
-        if (layout.cell_size * at[D - 1] < here.top) apply_rule<D>(bed.rule, here.normal, node);
-    });
-    return action;
+    if (layout.cell_size * layout.first_node(block[D - 1]) >= highest) return {};
+    return under;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real) \
-    template WallAction<D> apply_bed<D, Real>(const Layout<D>&, const Bed<D>&, const Index<D>&, Node<Real>*);
-template struct Bed<2>;
-template struct Bed<3>;
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+template <int D>
+bool Bed<D>::hides_fill_at(const Layout<D>& layout, double, const Index<D>& node) const {
+    if (!exists()) return false;
+    Vector<across, double> at;
+    for (int axis = 0; axis < across; ++axis) {
+        at[axis] = layout.cell_size * node[static_cast<std::size_t>(axis)];
+    }
+    const double above = layout.cell_size * node[D - 1] - height(at);
+    const double normal_z = 1.0 / std::sqrt(1.0 + slope(at, layout.cell_size).squaredNorm());
+    return above * normal_z < 1.5 * layout.cell_size;
+}
+
+#define TIDEWATER_INSTANTIATE(D) template struct Bed<D>;
+TIDEWATER_FOR_EACH_DIMENSION(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "mpm/boundaries/wall.h"
@@ -39,10 +40,51 @@ struct Bed {
     double height(const Vector<across, double>& at) const;
     // ∇z_b by central differences over `reach` m to each side.
     Vector<across, double> slope(const Vector<across, double>& at, double reach) const;
-};
 
-// Applies the bed to the velocities of one block of nodes, before the walls; `block` as block_at gives it.
-template <int D, class Real>
-WallAction<D> apply_bed(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& block, Node<Real>* nodes);
+    // What the nodes of one column, along the last axis, need to know of the ground.
+    struct Ground {
+        Vector<D, double> normal;  // without components into the side walls
+        double top;                // m; the bed acts on nodes below it
+    };
+    // The ground under one block of nodes.
+    struct UnderBlock {
+        const Layout<D>& layout;
+        WallRule rule;
+        Index<D> block;
+        std::array<Ground, static_cast<std::size_t>(power(Block<D>::width, across))> columns;
+
+        template <class Real>
+        void act(const Index<D>& node, Node<Real>& velocity, WallAction<D>&) const {
+            std::size_t column = 0;
+            for (std::size_t axis = 0; axis < across; ++axis) {
+                column = column * static_cast<std::size_t>(Block<D>::width) +
+                         static_cast<std::size_t>(node[axis] - layout.first_node(block[axis]));
+            }
+            const Ground& ground = columns[column];
+            if (!(layout.cell_size * node[D - 1] < ground.top)) return;
+            if (rule == WallRule::stick) {
+                velocity.template head<D>().setZero();
+                return;
+            }
+            const Vector<D, Real> n = ground.normal.template cast<Real>();
+            const Real outward = n.dot(velocity.template head<D>().matrix());
+            if (rule == WallRule::separate && outward >= Real(0)) return;
+            velocity.template head<D>() -= outward * n.array();
+        }
+    };
+    struct Acting {
+        const Layout<D>& layout;
+        const Bed& bed;
+
+        std::optional<UnderBlock> on(
+            const Index<D>& block) const;  // none where the ground is below the block
+    };
+    Acting acting(const Layout<D>& layout, const BoundaryStep&) const { return {layout, *this}; }
+
+    bool replaces_left_wall() const { return false; }
+    bool hides_fill(const Layout<D>&) const { return exists(); }
+    // Where the ground reaches into what the node's spline covers.
+    bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const;
+};
 
 }  // namespace tidewater::mpm

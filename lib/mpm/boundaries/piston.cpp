@@ -66,30 +66,4 @@ double Piston::velocity(double time) const {
     return amplitude * (growth * (1.0 - std::cos(omega * time)) + share * omega * std::sin(omega * time));
 }
 
-MovingPlane plane_at(double cell_size, const Piston& piston, double time) {
-    if (!piston.exists()) return {};
-    const double cells = piston.position(time) / cell_size;
-    return {.last = static_cast<int>(std::floor(cells + wall_reach)), .velocity = piston.velocity(time)};
-}
-
-template <int D, class Real>
-WallAction<D> apply_plane(const Layout<D>& layout, const MovingPlane& plane, const Index<D>& block,
-                          Node<Real>* nodes) {
-    WallAction<D> action;
-    if (layout.first_node(block[0]) > plane.last) return action;
-    action.impulse = change_nodes<D, Real>(layout, block, nodes, [&](const Index<D>& at, Node<Real>& node) {
-        if (at[0] <= plane.last) node[0] = static_cast<Real>(plane.velocity);
-    });
-    action.work = action.impulse[0] * plane.velocity;
-    return action;
-}
-
-#define TIDEWATER_INSTANTIATE(D, Real)                                                                 \
-    template WallAction<D> apply_plane<D, Real>(const Layout<D>&, const MovingPlane&, const Index<D>&, \
-                                                Node<Real>*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
-
 }  // namespace tidewater::mpm

@@ -15,8 +15,6 @@
 // of that height after 10 D. Test: tests/unit/mpm/flume_test.cpp.
 #pragma once
 
-#include <limits>
-
 #include "mpm/boundaries/wall.h"
 
 namespace tidewater::mpm {
@@ -35,20 +33,41 @@ struct Piston {
     bool exists() const { return height > 0.0 || amplitude > 0.0; }
     double position(double time) const;  // X, m; 0 before time 0
     double velocity(double time) const;  // U, m/s
+
+    template <int D>
+    struct Acting {
+        const Layout<D>& layout;
+        bool exists;
+        int last = 0;           // nodes up to this number along x move with the plane
+        double velocity = 0.0;  // m/s
+
+        const Acting* on(const Index<D>& block) const {
+            return exists && layout.first_node(block[0]) <= last ? this : nullptr;
+        }
+        template <class Real>
+        void act(const Index<D>& node, Node<Real>& of, WallAction<D>&) const {
+            if (node[0] <= last) of[0] = static_cast<Real>(velocity);
+        }
+        // The plane's work is its impulse times its speed.
+        void account(WallAction<D>& action) const { action.work = action.impulse[0] * velocity; }
+    };
+    template <int D>
+    Acting<D> acting(const Layout<D>& layout, const BoundaryStep& step) const {
+        if (!exists()) return {layout, false};
+        const double time = step.time.value_or(0.0);
+        const double reach = position(time) / layout.cell_size + wall_reach;
+        return {layout, true, static_cast<int>(std::floor(reach)), velocity(time)};
+    }
+
+    bool replaces_left_wall() const { return exists(); }
+    template <int D>
+    bool hides_fill(const Layout<D>&) const {
+        return exists();
+    }
+    template <int D>
+    bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const {
+        return exists() && node[0] <= position(time) / layout.cell_size + 2.0;
+    }
 };
-
-// What the nodes need to know of it at one time.
-struct MovingPlane {
-    int last = std::numeric_limits<int>::min();  // nodes up to this number along x move with it
-    double velocity = 0.0;                       // m/s
-};
-
-MovingPlane plane_at(double cell_size, const Piston& piston, double time);
-
-// Applies it to one block of nodes, after the walls; `block` as block_at gives it. Its work is its impulse
-// times its speed.
-template <int D, class Real>
-WallAction<D> apply_plane(const Layout<D>& layout, const MovingPlane& plane, const Index<D>& block,
-                          Node<Real>* nodes);
 
 }  // namespace tidewater::mpm

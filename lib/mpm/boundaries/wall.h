@@ -1,5 +1,10 @@
-// What every boundary of the engine has in common: what it lets happen, and what it did.
+// What all boundaries of the engine have in common: the rules by which they hold nodes, and the account of
+// what they did. The table of boundaries is mpm/boundaries/boundaries.h.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "mpm/grid/grid.h"
 
@@ -14,11 +19,18 @@ enum class WallRule { slip, stick, separate };
 // it. A free node nearer to it finds too little water behind it and sinks (mpm/boundaries/bed.h).
 inline constexpr double wall_reach = 0.75;
 
+// What a boundary needs to know of a step.
+struct BoundaryStep {
+    std::optional<double> time;    // s; none while the scene settles, before anything moves
+    double dt = 0.0;               // s, over which a sponge damps
+    bool left_wall_moves = false;  // a push or a piston has taken the place of the left wall
+};
+
 // What boundaries did to the nodes of one block.
 template <int D>
 struct WallAction {
     Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
-    double work = 0.0;  // J, of what moves: its impulse times its speed; of a sponge: less than zero
+    double work = 0.0;  // J: of what moves, its impulse times its speed; of a sponge, below zero
 
     void add(const WallAction& other) {
         impulse += other.impulse;
@@ -26,8 +38,25 @@ struct WallAction {
     }
 };
 
-// Calls change(node's place, node) for each node with mass of one block; `block` as block_at gives it.
-// Returns what the changes of velocity gave in momentum, kg m/s.
+// The velocity at a wall across an axis; `outward` is −1 at the origin's wall and +1 at the far one.
+template <int D, class Real>
+void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
+    switch (rule) {
+        case WallRule::stick:
+            velocity.template head<D>().setZero();
+            break;
+        case WallRule::slip:
+            velocity[axis] = Real(0);
+            break;
+        case WallRule::separate:
+            velocity[axis] =
+                outward < 0 ? std::max(velocity[axis], Real(0)) : std::min(velocity[axis], Real(0));
+            break;
+    }
+}
+
+// Calls change(place of the node, node) for each node with mass of one block; `block` as block_at gives it.
+// Returns the momentum that the changes of velocity gave, kg m/s.
 template <int D, class Real, class Change>
 Vector<D, double> change_nodes(const Layout<D>& layout, const Index<D>& block, Node<Real>* nodes,
                                const Change& change) {
@@ -41,6 +70,11 @@ Vector<D, double> change_nodes(const Layout<D>& layout, const Index<D>& block, N
         impulse += static_cast<double>(node[mass_lane]) * (after - before);
     }
     return impulse;
+}
+
+// The last node along an axis that lies at or before x (m), with a rounding reserve.
+inline int node_at_or_before(double x, double cell_size) {
+    return static_cast<int>(std::floor(x / cell_size + 1e-6));
 }
 
 }  // namespace tidewater::mpm

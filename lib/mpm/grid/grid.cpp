@@ -8,16 +8,11 @@
 
 #include "core/parallel.h"
 #include "mpm/base/batch.h"
+#include "mpm/base/instantiate.h"
 #include "mpm/base/row.h"
 
 namespace tidewater::mpm {
 namespace {
-
-// Offset of neighbour k along an axis: −1, 0 or 1, the last axis fastest.
-template <int D>
-constexpr int offset_of(int k, int axis) {
-    return k / power(3, D - 1 - axis) % 3 - 1;
-}
 
 // Calls visit.operator()<k>() for the neighbours k in order, so that loops over shared nodes have constant
 // bounds.
@@ -32,7 +27,7 @@ void for_each_neighbour(const Visit& visit) {
 template <int D, int k, class Visit>
 void for_each_shared_run(const Visit& visit) {
     constexpr int width = Block<D>::width;
-    constexpr auto first = [](int axis) { return offset_of<D>(k, axis) * Block<D>::width - 1; };
+    constexpr auto first = [](int axis) { return neighbour_offset<D>(k, axis) * Block<D>::width - 1; };
     constexpr auto begin = [first](int axis) { return std::max(0, first(axis)); };
     constexpr auto end = [first](int axis) {
         return std::min(Block<D>::width, first(axis) + Block<D>::tile_width);
@@ -89,7 +84,7 @@ std::vector<Link> sorted_links(const std::vector<BlockKey>& particle_blocks) {
         for (int k = 0; k < Block<D>::neighbours; ++k) {
             Index<D> other = block;
             for (int axis = 0; axis < D; ++axis) {
-                other[static_cast<std::size_t>(axis)] += offset_of<D>(k, axis);
+                other[static_cast<std::size_t>(axis)] += neighbour_offset<D>(k, axis);
             }
             links[slot * neighbours + static_cast<std::size_t>(k)] = {block_key<D>(other),
                                                                       static_cast<int>(slot), k};
@@ -204,10 +199,7 @@ void momentum_to_velocity(Real kick, Node<Real>* nodes) {
     template void activate(Grid<D, Real>&, std::vector<BlockKey>);                                      \
     template void sum_tiles<D, Real>(const Grid<D, Real>::Neighbours&, const Node<Real>*, Node<Real>*); \
     template void load_tile(const Grid<D, Real>&, const std::vector<Node<Real>>&, std::size_t, Node<Real>*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 template BlockKey block_key<2>(const Index<2>&);
 template BlockKey block_key<3>(const Index<3>&);
 template Index<2> block_at<2>(BlockKey);

@@ -17,9 +17,6 @@
 
 namespace tidewater::mpm {
 
-template <int D>
-using Index = std::array<int, static_cast<std::size_t>(D)>;  // not deducible: other arguments say D
-
 using BlockKey = std::uint64_t;
 
 // How a wall mirrors what lies before it (mpm/grid/mirror.h).
@@ -41,13 +38,11 @@ struct Layout {
     static int first_node(int block_on_axis) { return (block_on_axis - 2) * Block<D>::width; }
 };
 
-// The place of node n of a block, the last axis fastest; `block` as block_at gives it.
+// Where node n of a block lies; `block` as block_at gives it.
 template <int D>
 Index<D> node_at(const Layout<D>& layout, const Index<D>& block, int n) {
-    Index<D> node;
-    for (std::size_t axis = D; axis-- > 0; n /= Block<D>::width) {
-        node[axis] = layout.first_node(block[axis]) + n % Block<D>::width;
-    }
+    Index<D> node = index_of<D>(n, Block<D>::width);
+    for (std::size_t axis = 0; axis < D; ++axis) node[axis] += layout.first_node(block[axis]);
     return node;
 }
 
@@ -64,8 +59,8 @@ struct Grid {
     using Neighbours = std::array<int, static_cast<std::size_t>(Block<D>::neighbours)>;
 
     Layout<D> layout;
-    std::vector<BlockKey> particle_blocks;  // rising; each owns a tile
-    std::vector<BlockKey> node_blocks;      // rising; each owns Block<D>::nodes nodes
+    std::vector<BlockKey> particle_blocks;  // ascending; each owns a tile
+    std::vector<BlockKey> node_blocks;      // ascending; each owns Block<D>::nodes nodes
     // Per particle block the places in node_blocks of its 3^D neighbours; per node block their places in
     // particle_blocks, −1 where there is none. Offsets −1, 0, 1 per axis, the last axis fastest.
     std::vector<Neighbours> nodes_of_tile;

@@ -1,5 +1,7 @@
 #include "mpm/grid/mirror.h"
 
+#include "mpm/base/instantiate.h"
+
 namespace tidewater::mpm {
 namespace {
 
@@ -12,15 +14,11 @@ struct Pane {
 // Calls visit(pane) for the mirrors in the tile of a block, axis after axis.
 template <int D, class Visit>
 void for_each_pane(const Layout<D>& layout, const Index<D>& block, const Visit& visit) {
-    for (std::size_t axis = 0; axis < D; ++axis) {
-        const int first = layout.first_node(block[axis]) - 1;
-        for (const int side : {0, 1}) {
-            const Mirror mirror = layout.mirrors[axis][static_cast<std::size_t>(side)];
-            const int plane = (side == 0 ? 0 : layout.cells[axis]) - first, outward = side == 0 ? -1 : 1;
-            if (mirror == Mirror::none || plane < 1 || plane > Block<D>::tile_width - 2) continue;
-            visit(Pane{mirror, static_cast<int>(axis), plane + outward, plane - outward});
-        }
-    }
+    for_each_mirror(layout, [&](int axis, std::size_t, Mirror mirror, int node, int inward) {
+        const int plane = node - layout.first_node(block[static_cast<std::size_t>(axis)]) + 1;
+        if (plane < 1 || plane > Block<D>::tile_width - 2) return;
+        visit(Pane{mirror, axis, plane - inward, plane + inward});
+    });
 }
 
 // Calls visit(node beyond, its image) for all nodes of a tile that lie just beyond one mirror.
@@ -71,7 +69,7 @@ Vector<D, double> fold(const Layout<D>& layout, const Index<D>& block, Parity pa
             tile[image] += reflected;
             impulse += in_double<D, Real>(reflected) - in_double<D, Real>(from);
             from.setZero();
-            if (parity == Parity::velocity) from[0] = mass;
+            if (parity == Parity::velocity) from[folded_mass_lane] = mass;
         });
     });
     return impulse;
@@ -97,10 +95,11 @@ Vector<D, double> unfolding_impulse(const Layout<D>& layout, const Index<D>& blo
     Vector<D, double> impulse = Vector<D, double>::Zero();
     for_each_pane<D>(layout, block, [&](const Pane& pane) {
         for_each_pair<D>(pane, [&](int beyond, int image) {
-            const auto mass = static_cast<double>(folded[beyond][0]);
+            const auto mass = static_cast<double>(folded[beyond][folded_mass_lane]);
             impulse +=
                 mass * (in_double<D, Real>(velocities[beyond]) - in_double<D, Real>(velocities[image]));
-            folded[beyond][0] = Real(0);  // counted; at a corner it lies beyond the next mirror, too
+            folded[beyond][folded_mass_lane] =
+                Real(0);  // counted; at a corner it lies beyond the next mirror, too
         });
     });
     return impulse;
@@ -112,10 +111,7 @@ Vector<D, double> unfolding_impulse(const Layout<D>& layout, const Index<D>& blo
     template void load_velocities(const Grid<D, Real>&, std::size_t, Node<Real>*);                    \
     template Vector<D, double> unfolding_impulse<D, Real>(const Layout<D>&, const Index<D>&,          \
                                                           const Node<Real>*, Node<Real>*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 template bool has_mirror<2>(const Layout<2>&, const Index<2>&);
 template bool has_mirror<3>(const Layout<3>&, const Index<3>&);
 

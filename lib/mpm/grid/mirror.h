@@ -10,7 +10,8 @@
 //     S        slip: −1 for the normal component, else 1; stick: −1 for all
 //
 // Both happen in the tile of a block, axis after axis, so that nodes beyond two or three walls go to the
-// corner inside. Nodes on the plane and further beyond it follow mpm/boundaries/boundary.h. The walls give the momentum
+// corner inside. Nodes on the plane and further beyond it follow mpm/boundaries/boundaries.h. The walls give
+// the momentum
 //
 //     Σ (S − 1) m v   when folding,     Σ (S − 1) m v_image   when unfolding,     over nodes beyond,
 //
@@ -24,13 +25,27 @@ namespace tidewater::mpm {
 // What is mirrored: the lanes of a node as velocity, or as numbers that are even about every wall.
 enum class Parity { velocity, even };
 
+// Calls visit(axis, far, mirror, plane, inward) for the walls that mirror, axis after axis: `far` is 0 for
+// the wall at the origin and 1 for the opposite one, `plane` the number of the nodes on it, `inward` +1 or
+// −1.
+template <int D, class Visit>
+void for_each_mirror(const Layout<D>& layout, const Visit& visit) {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        for (const std::size_t far : {std::size_t{0}, std::size_t{1}}) {
+            const Mirror mirror = layout.mirrors[axis][far];
+            if (mirror == Mirror::none) continue;
+            visit(static_cast<int>(axis), far, mirror, far == 0 ? 0 : layout.cells[axis], far == 0 ? 1 : -1);
+        }
+    }
+}
+
 // Whether the tile of a block holds a mirror with the nodes on both sides of it.
 template <int D>
 bool has_mirror(const Layout<D>& layout, const Index<D>& block);
 
 // Folds a tile of momenta and masses; returns the momentum (kg m/s) that the walls gave. A folded node of
-// parity `velocity` keeps its mass in lane 0 for unfolding_impulse; as it has none in the mass lane,
-// momentum_to_velocity clears it.
+// parity `velocity` keeps its mass in folded_mass_lane for unfolding_impulse; as it has none in the mass
+// lane, momentum_to_velocity clears it.
 template <int D, class Real>
 Vector<D, double> fold(const Layout<D>& layout, const Index<D>& block, Parity parity, Node<Real>* tile);
 

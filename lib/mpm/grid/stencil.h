@@ -5,20 +5,17 @@
 // width + 1: the block's tile. The half cell of margin on each side costs no node and lets particles move
 // before they are sorted again.
 //
-//     weights of the nodes n − 1, n, n + 1 with n = ⌊X + ½⌋, f = X − n ∈ [−½, ½):
-//     ½(½ − f)²,  ¾ − f²,  ½(½ + f)²
-//
-// Source: Jiang et al. (2016), "The material point method for simulating continuum materials", §7.
+// Along an axis the three are n − 1, n and n + 1 with n = ⌊X + ½⌋, and their weights are those of
+// core/spline.h at f = X − n ∈ [−½, ½).
 #pragma once
 
-#include <array>
 #include <cassert>
 
+#include "core/spline.h"
 #include "core/types.h"
+#include "mpm/base/index.h"
 
 namespace tidewater::mpm {
-
-constexpr int power(int base, int exponent) { return exponent == 0 ? 1 : base * power(base, exponent - 1); }
 
 template <int D>
 struct Block {
@@ -36,11 +33,19 @@ struct Block {
 // reserve.
 inline constexpr double sorting_margin = 0.49;
 
-// A node: momentum (after the grid update, velocity) in lanes 0 … D−1, mass in lane 3.
+// Four numbers of a node. Lanes 0 … D − 1 are a vector: momentum before the nodes are updated, velocity
+// afterwards. What the other lanes hold depends on where the node stands:
+//
+//     nodes of the grid, tiles that particles are scattered to    lane 3: mass
+//     tiles of velocities that particles gather from              lane 3: crowding (mpm/step/crowding.h)
+//     tile nodes beyond a mirror, after folding                   lane 0: the mass that was there
+//                                                                 (mpm/grid/mirror.h)
 template <class Real>
 using Node = Eigen::Array<Real, 4, 1>;
 
 inline constexpr int mass_lane = 3;
+inline constexpr int crowding_lane = 3;
+inline constexpr int folded_mass_lane = 0;
 
 // Calls visit(tile index, weight, distance from the particle in cells) for the 3^D nodes of a particle.
 //     position   cells, relative to its block, −½ ≤ X < width + ½
@@ -53,17 +58,17 @@ inline void for_each_node(const Vector<D, double>& position, const Visit& visit)
         nearest[axis] = static_cast<int>(position[axis] + 1.5) - 1;
         assert(nearest[axis] >= 0 && nearest[axis] <= Block<D>::width);
         f[axis] = static_cast<Real>(position[axis] - nearest[axis]);
-        const Real below = Real(0.5) - f[axis], above = Real(0.5) + f[axis];
-        weight[axis][0] = Real(0.5) * below * below;
-        weight[axis][1] = Real(0.75) - f[axis] * f[axis];
-        weight[axis][2] = Real(0.5) * above * above;
+        const SplineWeights<Real> w = spline_weights(f[axis]);
+        weight[axis][0] = w.below;
+        weight[axis][1] = w.at;
+        weight[axis][2] = w.above;
     }
     for (int n = 0; n < power(3, D); ++n) {
         int node = 0;
         Real w = 1;
         Vector<D, Real> distance;
         for (int axis = 0; axis < D; ++axis) {
-            const int offset = n / power(3, D - 1 - axis) % 3 - 1;
+            const int offset = neighbour_offset<D>(n, axis);
             node = node * Block<D>::tile_width + nearest[axis] + offset + 1;
             w *= weight[axis][offset + 1];
             distance[axis] = static_cast<Real>(offset) - f[axis];

@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "mpm/base/instantiate.h"
 #include "mpm/materials/ice_lane.h"
 
 namespace tidewater::mpm {
@@ -118,10 +119,7 @@ double ice_energy(const IceModel& model, const std::array<double, symmetric_size
     template void advance_strain<D, Real>(const Column<Real>*, int, Column<Real>*);               \
     template unsigned ice_stress<D, Real>(const IceConstants<D, Real>&, const Column<Real>*, int, \
                                           Column<Real>*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 template double ice_energy<2>(const IceModel&, const std::array<double, 3>&);
 template double ice_energy<3>(const IceModel&, const std::array<double, 6>&);
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <limits>
 
+#include "mpm/base/instantiate.h"
 #include "mpm/materials/ice_lane.h"
 
 namespace tidewater::mpm {
@@ -131,9 +132,6 @@ unsigned return_to_yield(const IceConstants<D, Real>& ice, int count, Column<Rea
 #define TIDEWATER_INSTANTIATE(D, Real)                                                           \
     template unsigned return_to_yield<D, Real>(const IceConstants<D, Real>&, int, Column<Real>*, \
                                                Column<Real>*, Column<Real>*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

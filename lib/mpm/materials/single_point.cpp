@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mpm/base/instantiate.h"
 #include "mpm/materials/ice_lane.h"
 #include "mpm/materials/ice_yield.h"
 
@@ -253,9 +254,6 @@ double uniaxial_crushing_strength(const IceModel& model, int dimension) {
     template IcePoint<D, Real> intact_point<D, Real>(const IceModel&);                                       \
     template void stretch_point<D, Real>(const IceModel&, const std::array<double, D>&, IcePoint<D, Real>&); \
     template std::vector<PointRow> drive_point<D, Real>(const IceModel&, const Loading&, IcePoint<D, Real>);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "mpm/base/instantiate.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -141,8 +142,8 @@ std::vector<Move> moves_of(const std::vector<BlockKey>& blocks, const std::vecto
         for (int k = 0; k < Block<D>::neighbours; ++k) {
             if (counts[slot][static_cast<std::size_t>(k)] == 0) continue;
             Index<D> other = block;
-            for (int axis = D - 1, rest = k; axis >= 0; --axis, rest /= 3) {
-                other[static_cast<std::size_t>(axis)] += rest % 3 - 1;
+            for (int axis = 0; axis < D; ++axis) {
+                other[static_cast<std::size_t>(axis)] += neighbour_offset<D>(k, axis);
             }
             moves.push_back(
                 {block_key<D>(other), static_cast<std::uint32_t>(slot), static_cast<std::uint32_t>(k)});
@@ -240,9 +241,6 @@ void sort_into_blocks(Grid<D, Real>& grid, std::span<Particles<D, Real>> bodies)
     template void place(const std::vector<std::span<const Vector<D, double>>>&, Grid<D, Real>&, \
                         std::span<Particles<D, Real>>);                                         \
     template void sort_into_blocks(Grid<D, Real>&, std::span<Particles<D, Real>>);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -34,21 +34,21 @@ void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& partic
     });
 }
 
-// The greatest √(|v_p|² + ¼ |Δx C_p|²) of a body's particles, m/s. By Bessel's inequality (1 and 2 (x_i −
+// The maximum of √(|v_p|² + ¼ |Δx C_p|²) of a body's particles, m/s. By Bessel's inequality (1 and 2 (x_i −
 // x_p)/Δx are orthonormal under the weights) it is at most √(Σ w |v_i|²), so never above the fastest node's
 // speed, and less by far where that node has but a sliver of a particle's mass. While it stays below Δx/(2Δt)
 // no particle moves half a cell, and |Δt C| < 1: no volume is turned inside out.
 template <int D, class Real>
-double greatest_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
-    std::vector<double> greatest2(grid.particle_blocks.size());
+double max_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
+    std::vector<double> max2_of_block(grid.particle_blocks.size());
     for_each_motion(grid, particles,
                     [&](std::size_t slot, const Index<D>&, std::size_t, const auto& v, const auto& g) {
                         const auto motion2 = static_cast<double>(v.squaredNorm() + g.squaredNorm() / Real(4));
-                        greatest2[slot] = std::max(greatest2[slot], motion2);
+                        max2_of_block[slot] = std::max(max2_of_block[slot], motion2);
                     });
-    double most2 = 0.0;
-    for (const double motion2 : greatest2) most2 = std::max(most2, motion2);
-    return std::sqrt(most2);
+    double max2 = 0.0;
+    for (const double motion2 : max2_of_block) max2 = std::max(max2, motion2);
+    return std::sqrt(max2);
 }
 
 }  // namespace tidewater::mpm

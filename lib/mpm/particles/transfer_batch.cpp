@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "mpm/base/instantiate.h"
 #include "mpm/base/row.h"
 
 namespace tidewater::mpm {
@@ -9,7 +10,7 @@ namespace {
 
 // Within a group of 16 particles, quads lie in the order that a transposition within 128 bits leaves: that of
 // particle 4a + b in place 4b + a.
-int place_of(int p) { return (p & ~15) | ((p & 3) << 2) | ((p >> 2) & 3); }
+int quad_place(int p) { return (p & ~15) | ((p & 3) << 2) | ((p >> 2) & 3); }
 
 // Turns four rows of quads (a0 b0 c0 d0 | …) into the rows (a0 a1 a2 a3 | …), … and back.
 template <class Real>
@@ -130,11 +131,10 @@ void locate(const Column<Stored<Real>>* position, StencilBatch<D, Real>& s) {
             s.first[p] = s.first[p] * Block<D>::tile_width + node;
             s.strip[p] = s.strip[p] * (axis == D - 1 ? strips_in_row<D> : Block<D>::tile_width) + node;
             s.from_node[axis][p] = f;
-            const Real below = Real(0.5) - f, above = Real(0.5) + f;
-            s.weight[axis][0][p] = Real(0.5) * below * below;
-            s.weight[axis][2][p] = Real(0.5) * above * above;
-            // ¾ − f², written so that the three sum to 1 but for one rounding.
-            s.weight[axis][1][p] = Real(1) - (s.weight[axis][0][p] + s.weight[axis][2][p]);
+            const SplineWeights<Real> weights = closed_spline_weights(f);
+            s.weight[axis][0][p] = weights.below;
+            s.weight[axis][1][p] = weights.at;
+            s.weight[axis][2][p] = weights.above;
         }
     }
     to_quads(s.last_weight, [&](int p, Row<Real>* row) {
@@ -148,7 +148,7 @@ void gather_batch(const Real* tile, TransferBatch<D, Real>& b) {
     const auto& wx = s.weight[0];
     const auto& wy = s.weight[D - 2];
     for (int p = 0; p < batch_size; ++p) {
-        const int place = 4 * place_of(p);
+        const int place = 4 * quad_place(p);
         const Row<Real> wz = spread<Real>(load_quad<Real>(s.last_weight->value + place));
         const auto sums = sum_nodes<D, Real>(tile + 4 * s.first[p], {wx[0][p], wx[1][p], wx[2][p]},
                                              {wy[0][p], wy[1][p], wy[2][p]}, wz);
@@ -196,7 +196,7 @@ void scatter_batch(Real mass, int count, TransferBatch<D, Real>& b, Strips<D, Re
         }
     }
     for (int p = 0; p < count; ++p) {
-        const int place = 4 * place_of(p);
+        const int place = 4 * quad_place(p);
         const auto quad = [&](int n) { return repeat<Real>(load_quad<Real>(b.quads[n]->value + place)); };
         const R wz = spread<Real>(load_quad<Real>(s.last_weight->value + place));
         const R middle = wz * (offset * quad(D) + quad(0));
@@ -238,9 +238,6 @@ void sum_strips(const Strips<D, Real>& strips, Real* tile) {
     template void gather_batch(const Real*, TransferBatch<D, Real>&);                  \
     template void scatter_batch(Real, int, TransferBatch<D, Real>&, Strips<D, Real>&); \
     template void sum_strips(const Strips<D, Real>&, Real*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -1,5 +1,6 @@
 #include "mpm/readings/pressure.h"
 
+#include "mpm/base/instantiate.h"
 #include "mpm/particles/motion.h"
 
 namespace tidewater::mpm {
@@ -60,9 +61,6 @@ std::vector<std::vector<float>> grid_pressure(const Simulation<D, Real>& s) {
 
 #define TIDEWATER_INSTANTIATE(D, Real) \
     template std::vector<std::vector<float>> grid_pressure(const Simulation<D, Real>&);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

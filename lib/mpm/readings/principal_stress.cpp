@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "mpm/base/instantiate.h"
 #include "mpm/materials/ice_lane.h"
 
 namespace tidewater::mpm {
@@ -58,9 +59,6 @@ template double greatest_principal_stress<2>(const IceModel&, const std::array<d
 template double greatest_principal_stress<3>(const IceModel&, const std::array<double, 6>&);
 #define TIDEWATER_INSTANTIATE(D, Real) \
     template std::vector<float> principal_stress(const IceModel&, const Particles<D, Real>&);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

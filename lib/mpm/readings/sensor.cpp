@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/spline.h"
+#include "mpm/base/instantiate.h"
+
 namespace tidewater::mpm {
 namespace {
 
@@ -13,12 +16,6 @@ constexpr double width = 2.0;         // cells, of W's spline
 constexpr double reach = rim + 2.0;   // cells from the point to water that its nodes see, per axis, at most
 constexpr double least_fill = 0.5;    // of what the nodes could hold
 constexpr double least_spread = 0.1;  // cells², variance of the nodes' water along any axis for a plane
-
-double spline(double u) {
-    const double distance = std::abs(u);
-    if (distance < 0.5) return 0.75 - u * u;
-    return distance < 1.5 ? 0.5 * (1.5 - distance) * (1.5 - distance) : 0.0;
-}
 
 // Sums over the water that one node reaches; places in cells from the sensor.
 template <int D>
@@ -31,14 +28,14 @@ struct NodeWater {
 template <int D>
 Vector<D, double> offset(int n, int side) {
     Vector<D, double> from;
-    for (int axis = 0; axis < D; ++axis) from[axis] = n / power(side, D - 1 - axis) % side - side / 2;
+    for (int axis = 0; axis < D; ++axis) from[axis] = index_along<D>(n, side, axis) - side / 2;
     return from;
 }
 
 template <int D>
 double spline(const Vector<D, double>& u) {
     double product = 1.0;
-    for (int axis = 0; axis < D; ++axis) product *= spline(u[axis]);
+    for (int axis = 0; axis < D; ++axis) product *= quadratic_spline(u[axis]);
     return product;
 }
 
@@ -155,9 +152,6 @@ std::vector<double> pressure_at(const Simulation<D, Real>& s, std::span<const Ve
 
 #define TIDEWATER_INSTANTIATE(D, Real) \
     template std::vector<double> pressure_at(const Simulation<D, Real>&, std::span<const Vector<D, double>>);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

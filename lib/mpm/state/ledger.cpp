@@ -1,6 +1,8 @@
 #include "mpm/state/ledger.h"
 
+#include "mpm/base/instantiate.h"
 #include "mpm/bodies/lift.h"
+#include "mpm/materials/materials.h"
 #include "mpm/particles/motion.h"
 
 namespace tidewater::mpm {
@@ -15,39 +17,26 @@ void add(Ledger<D>& to, const Ledger<D>& from) {
     to.elastic += from.elastic;
 }
 
-// The strain of a particle, in double.
 template <int D, class Real>
-std::array<double, static_cast<std::size_t>(symmetric_size<D>)> strain_of(const Particles<D, Real>& particles,
-                                                                          std::size_t p) {
-    std::array<double, static_cast<std::size_t>(symmetric_size<D>)> strain;
-    for (std::size_t c = 0; c < strain.size(); ++c) strain[c] = static_cast<double>(particles.strain[c][p]);
-    return strain;
-}
-
-template <int D, class Real>
-double elastic_energy(const Parameters<D>& parameters, const Particles<D, Real>& particles, std::size_t p) {
-    const WaterModel& water = parameters.water;
-    switch (particles.material) {
-        case Material::water:
-            return particles.volume * water_energy(static_cast<double>(particles.j[p]), water);
-        case Material::ice:
-            return particles.volume * ice_energy<D>(parameters.ice, strain_of(particles, p));
-        case Material::rigid:
-            return 0.0;
-    }
-    return 0.0;
+double stored_energy(const Parameters<D>& parameters, const Particles<D, Real>& particles, std::size_t p) {
+    double energy = 0.0;
+    with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
+        energy = M::stored_energy(M::model(parameters), particles, p);
+    });
+    return energy;
 }
 
 }  // namespace
 
 template <int D, class Real>
-Ledger<D> particle_ledger(const Simulation<D, Real>& s, const Particles<D, Real>& particles,
-                          const Index<D>& block, std::size_t p, const Tile<D, Real>& tile) {
-    const Vector<D, double> point = global_position(s.grid.layout, block, particles, p);
+Ledger<D> particle_ledger(const Parameters<D>& parameters, const Layout<D>& layout,
+                          const Particles<D, Real>& particles, const Index<D>& block, std::size_t p,
+                          const Tile<D, Real>& tile) {
+    const Vector<D, double> point = global_position(layout, block, particles, p);
     Ledger<D> part;
     part.mass = particles.mass;
-    part.gravitational = particles.mass * s.parameters.gravity * point[D - 1];
-    part.elastic = elastic_energy(s.parameters, particles, p);
+    part.gravitational = particles.mass * parameters.gravity * point[D - 1];
+    part.elastic = stored_energy(parameters, particles, p);
     Vector<D, Real> v;
     Matrix<D, Real> g;
     gather<D, Real>(local_position<D, Real>(particles, p), tile.data(), v, g);
@@ -68,7 +57,7 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
             Tile<D, Real> tile;
             load_velocities(s.grid, slot, tile.data());
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-                add(of_block[slot], particle_ledger(s, particles, block, p, tile));
+                add(of_block[slot], particle_ledger(s.parameters, s.grid.layout, particles, block, p, tile));
             }
         });
     }
@@ -84,13 +73,10 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
     return total;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                        \
-    template Ledger<D> particle_ledger(const Simulation<D, Real>&, const Particles<D, Real>&, \
-                                       const Index<D>&, std::size_t, const Tile<D, Real>&);   \
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                    \
+    template Ledger<D> particle_ledger(const Parameters<D>&, const Layout<D>&, const Particles<D, Real>&, \
+                                       const Index<D>&, std::size_t, const Tile<D, Real>&);               \
     template Ledger<D> take_ledger(const Simulation<D, Real>&);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

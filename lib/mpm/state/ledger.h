@@ -5,8 +5,8 @@
 //                                                                               and what failing ice takes
 //     (boundary work: of pushes and pistons, less what a sponge's damping took)
 //
-// Velocities have the forces of the coming step already (mpm/state/simulation.h), so kinetic energy runs ahead of
-// the others by its change in half a step: the sum may seem to grow by that much, and no more.
+// Velocities have the forces of the coming step already (mpm/state/simulation.h), so kinetic energy runs
+// ahead of the others by its change in half a step: the sum may seem to grow by that much, and no more.
 //
 // Energies in J (per metre of width in 2D). Kinetic energy counts what APIC keeps in C: ½ m (|v|² +
 // (Δx²/4)|C|²). Gravitational energy is m g z from z = 0. Sums in double, particle by particle within blocks,
@@ -29,8 +29,9 @@ struct Ledger {
 
 // One particle's share; what moves is read from `tile`, the nodes around its block.
 template <int D, class Real>
-Ledger<D> particle_ledger(const Simulation<D, Real>& simulation, const Particles<D, Real>& particles,
-                          const Index<D>& block, std::size_t p, const Tile<D, Real>& tile);
+Ledger<D> particle_ledger(const Parameters<D>& parameters, const Layout<D>& layout,
+                          const Particles<D, Real>& particles, const Index<D>& block, std::size_t p,
+                          const Tile<D, Real>& tile);
 
 template <int D, class Real>
 Ledger<D> take_ledger(const Simulation<D, Real>& simulation);

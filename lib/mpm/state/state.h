@@ -6,7 +6,8 @@
 //
 // A loaded simulation goes on to the same bits as the saved one. A change of Block, of fraction_bits or of
 // what a value means needs a new format_version of checkpoints. Whoever adds a member to Simulation,
-// Particles, Grid or RigidBody that the next step reads adds a line here. Test: tests/unit/mpm/state/state_test.cpp
+// Particles, Grid or RigidBody that the next step reads adds a line here. Test:
+// tests/unit/mpm/state/state_test.cpp
 #pragma once
 
 #include <algorithm>
@@ -28,15 +29,17 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("speeds.sound", s.speeds.sound);
     visit("drift", s.drift);
     visit("unknown_fill", s.unknown_fill);
-    visit("wall_impulse", s.wall_impulse);
-    visit("gravity_impulse", s.gravity_impulse);
-    visit("boundary_work", s.boundary_work);
-    visit("outflow.mass", s.outflow.mass);
-    visit("outflow.momentum", s.outflow.momentum);
-    visit("outflow.energy", s.outflow.energy);
+    visit("wall_impulse", s.accounts.wall_impulse);
+    visit("gravity_impulse", s.accounts.gravity_impulse);
+    visit("boundary_work", s.accounts.boundary_work);
+    visit("outflow.mass", s.accounts.outflow.mass);
+    visit("outflow.momentum", s.accounts.outflow.momentum);
+    visit("outflow.energy", s.accounts.outflow.energy);
     visit("skimming.time", s.skimming.time);
     visit("skimming.due", s.skimming.due);
-    visit("settling.going", s.settling.going);
+    long going = s.settling.going ? 1 : 0;  // a visitor takes numbers
+    visit("settling.going", going);
+    s.settling.going = going != 0;
     visit("settling.stress", s.settling.stress);
     visit("settling.energy", s.settling.energy);
     visit("settling.quiet", s.settling.quiet);
@@ -61,7 +64,7 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
         visit(of + "angular_momentum", rigid.angular_momentum);
         visit(of + "angular_velocity", rigid.angular_velocity);
         visit(of + "water_impulse", rigid.water_impulse);
-        visit(of + "water_turn", rigid.water_turn);
+        visit(of + "water_turn", rigid.water_angular_impulse);
         visit(of + "contact_impulse", rigid.contact_impulse);
     }
 }

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/base/instantiate.h"
 #include "mpm/bodies/collide.h"
 #include "mpm/bodies/lift.h"
 
 namespace tidewater::mpm {
 namespace {
 
-constexpr int greatest_turns = 12;    // to find which nodes press
-constexpr double least_slope = 0.02;  // |∇s| Δx below which a node sticks
+constexpr int max_rounds = 12;      // to find which nodes press
+constexpr double min_slope = 0.02;  // |∇s| Δx below which a node sticks
 
-struct Meeting {
+struct NodeContact {
     int node = 0;  // of its block
     double mass = 0.0;
     Eigen::Vector3d arm, velocity, normal;  // of the node before; from the body's centre; outward
@@ -20,14 +21,14 @@ struct Meeting {
 };
 
 // The nodes of one block that meet one body.
-struct Encounter {
+struct BlockContacts {
     std::size_t slot = 0;  // of the node block
-    std::vector<Meeting> meetings;
+    std::vector<NodeContact> nodes;
 };
 
 // The node blocks in a body's reach, in the order of their places.
 template <int D, class Real>
-std::vector<Encounter> blocks_near(const Grid<D, Real>& grid, const NodeRange<D>& range) {
+std::vector<BlockContacts> blocks_near(const Grid<D, Real>& grid, const NodeRange<D>& range) {
     Index<D> first, last;
     const auto block_of = [](int node) {
         const int width = Block<D>::width;
@@ -38,7 +39,7 @@ std::vector<Encounter> blocks_near(const Grid<D, Real>& grid, const NodeRange<D>
         last[axis] = block_of(range.last[axis]);
         if (last[axis] < first[axis]) return {};
     }
-    std::vector<Encounter> near;
+    std::vector<BlockContacts> near;
     for (Index<D> block = first;;) {
         const BlockKey key = block_key<D>(block);
         const auto found = std::lower_bound(grid.node_blocks.begin(), grid.node_blocks.end(), key);
@@ -74,34 +75,42 @@ bool taken(const Layout<D>& layout, const std::vector<RigidBody>& bodies,
     return false;
 }
 
+// What the search for contacts reads.
 template <int D, class Real>
-void meet_block(const Simulation<D, Real>& s, const std::vector<NodeRange<D>>& ranges, std::size_t self,
-                Encounter& encounter) {
-    const Layout<D>& layout = s.grid.layout;
-    const RigidBody& body = s.rigid[self];
-    const Index<D> block = block_at<D>(s.grid.node_blocks[encounter.slot]), anchor = anchor_of<D>(body);
-    const Node<Real>* nodes = s.grid.block_nodes(encounter.slot);
+struct ContactScene {
+    const Grid<D, Real>& grid;
+    const std::vector<RigidBody>& bodies;
+    std::vector<NodeRange<D>> ranges;  // [body] of nodes that it may have a share of
+    bool held;                         // the scene settles: water slips along all bodies to find its place
+};
+
+template <int D, class Real>
+void find_block_contacts(const ContactScene<D, Real>& scene, std::size_t self, BlockContacts& contacts) {
+    const Layout<D>& layout = scene.grid.layout;
+    const RigidBody& body = scene.bodies[self];
+    const Index<D> block = block_at<D>(scene.grid.node_blocks[contacts.slot]), anchor = anchor_of<D>(body);
+    const Node<Real>* nodes = scene.grid.block_nodes(contacts.slot);
     for (int n = 0; n < Block<D>::nodes; ++n) {
         if (!(nodes[n][mass_lane] > Real(0))) continue;
         const Index<D> place = node_at(layout, block, n);
-        if (!within<D>(ranges[self], place)) continue;
+        if (!within<D>(scene.ranges[self], place)) continue;
         const NodeShare share = share_of_node<D>(layout, body, place);
-        if (share.value <= least_share || taken<D>(layout, s.rigid, ranges, self, place, share.value))
-            continue;
-        Meeting meeting;
-        meeting.node = n;
-        meeting.mass = static_cast<double>(nodes[n][mass_lane]);
+        if (share.value <= min_share) continue;
+        if (taken<D>(layout, scene.bodies, scene.ranges, self, place, share.value)) continue;
+        NodeContact contact;
+        contact.node = n;
+        contact.mass = static_cast<double>(nodes[n][mass_lane]);
         Vector<D, double> from_anchor;
         for (std::size_t axis = 0; axis < D; ++axis) {
             from_anchor[static_cast<int>(axis)] = layout.cell_size * (place[axis] - anchor[axis]);
         }
-        meeting.arm = lift<D>(from_anchor) - body.center;
-        meeting.velocity = lift<D>(nodes[n].template head<D>().template cast<double>().matrix().eval());
+        contact.arm = lift<D>(from_anchor) - body.center;
+        contact.velocity = lift<D>(nodes[n].template head<D>().template cast<double>().matrix().eval());
         const double slope = share.slope.norm();
-        const bool stick = body.contact == BodyContact::stick && s.settling.going == 0;
-        meeting.sticks = stick || slope * layout.cell_size < least_slope;
-        meeting.normal = meeting.sticks ? Eigen::Vector3d::Zero().eval() : (-share.slope / slope).eval();
-        encounter.meetings.push_back(meeting);
+        const bool stick = body.contact == BodyContact::stick && !scene.held;
+        contact.sticks = stick || slope * layout.cell_size < min_slope;
+        contact.normal = contact.sticks ? Eigen::Vector3d::Zero().eval() : (-share.slope / slope).eval();
+        contacts.nodes.push_back(contact);
     }
 }
 
@@ -124,9 +133,9 @@ struct System {
 };
 
 template <int D>
-System system_of(const Encounter& encounter) {
+System system_of(const BlockContacts& block) {
     System sum;
-    for (const Meeting& m : encounter.meetings) {
+    for (const NodeContact& m : block.nodes) {
         if (m.sticks) {
             for (const int axis : {0, 1, 2}) {
                 if (D == 3 || axis != 1) sum.add(m.mass, m.arm, Eigen::Vector3d::Unit(axis), m.velocity);
@@ -144,9 +153,9 @@ Eigen::Vector3d velocity_at(const Vector6& motion, const Eigen::Vector3d& arm) {
 
 // Which slipping nodes press at this motion of the body. Returns whether that changed. In later turns nodes
 // only stop to press, so that it comes to an end.
-bool update_presses(const Vector6& motion, bool late, Encounter& encounter) {
+bool update_presses(const Vector6& motion, bool late, BlockContacts& block) {
     bool changed = false;
-    for (Meeting& m : encounter.meetings) {
+    for (NodeContact& m : block.nodes) {
         if (m.sticks) continue;
         const bool presses =
             m.normal.dot(velocity_at(motion, m.arm) - m.velocity) > 0.0 && (m.presses || !late);
@@ -156,16 +165,24 @@ bool update_presses(const Vector6& motion, bool late, Encounter& encounter) {
     return changed;
 }
 
-struct Given {
-    Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero(),
-                    friction = Eigen::Vector3d::Zero(), friction_turn = Eigen::Vector3d::Zero();
+struct ContactImpulse {
+    Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero(),
+                    friction = Eigen::Vector3d::Zero(), friction_angular = Eigen::Vector3d::Zero();
+
+    void add(const ContactImpulse& other) {
+        impulse += other.impulse;
+        angular += other.angular;
+        friction += other.friction;
+        friction_angular += other.friction_angular;
+    }
 };
 
 // Gives the nodes of a block their velocities; returns what the body got.
 template <int D, class Real>
-Given move_nodes(const Vector6& motion, double friction, const Encounter& encounter, Node<Real>* nodes) {
-    Given given;
-    for (const Meeting& m : encounter.meetings) {
+ContactImpulse move_nodes(const Vector6& motion, double friction, const BlockContacts& block,
+                          Node<Real>* nodes) {
+    ContactImpulse received;
+    for (const NodeContact& m : block.nodes) {
         const Eigen::Vector3d relative = velocity_at(motion, m.arm) - m.velocity;
         Eigen::Vector3d change = Eigen::Vector3d::Zero(), rubbing = Eigen::Vector3d::Zero();
         if (m.sticks) {
@@ -180,126 +197,120 @@ Given move_nodes(const Vector6& motion, double friction, const Encounter& encoun
         } else {
             continue;
         }
-        given.impulse -= m.mass * change;
-        given.turn -= m.mass * m.arm.cross(change);
-        given.friction -= m.mass * rubbing;
-        given.friction_turn -= m.mass * m.arm.cross(rubbing);
+        received.impulse -= m.mass * change;
+        received.angular -= m.mass * m.arm.cross(change);
+        received.friction -= m.mass * rubbing;
+        received.friction_angular -= m.mass * m.arm.cross(rubbing);
         const Vector<D, double> velocity = drop<D>(m.velocity + change + rubbing);
         nodes[m.node].template head<D>() = velocity.template cast<Real>().array();
     }
-    return given;
+    return received;
 }
 
 // Where one body is in the search for all motions.
 struct Partner {
-    std::vector<Encounter> encounters;
+    std::vector<BlockContacts> blocks;
     System alone;  // without nodes
 };
 
 template <int D, class Real>
-std::vector<Partner> find_partners(double falling, const Simulation<D, Real>& s) {
-    std::vector<NodeRange<D>> ranges;
-    for (const RigidBody& body : s.rigid) ranges.push_back(reach_of<D>(s.grid.layout, body));
-    std::vector<Partner> partners(s.rigid.size());
+std::vector<Partner> find_partners(const ContactScene<D, Real>& scene, const ContactStep& step) {
+    std::vector<Partner> partners(scene.bodies.size());
     for (std::size_t n = 0; n < partners.size(); ++n) {
         Partner& partner = partners[n];
-        partner.encounters = blocks_near(s.grid, ranges[n]);
-        parallel_for(partner.encounters.size(),
-                     [&](std::size_t k) { meet_block(s, ranges, n, partner.encounters[k]); });
-        const RigidBody& body = s.rigid[n];
+        partner.blocks = blocks_near(scene.grid, scene.ranges[n]);
+        parallel_for(partner.blocks.size(),
+                     [&](std::size_t k) { find_block_contacts(scene, n, partner.blocks[k]); });
+        const RigidBody& body = scene.bodies[n];
         Eigen::Vector3d fallen = body.velocity;
-        fallen[2] -= falling * s.parameters.gravity;
+        fallen[2] -= step.falling * step.gravity;
         partner.alone.a.diagonal().head<3>().setConstant(body.mass);
-        partner.alone.a.bottomRightCorner<3, 3>() = turned_inertia(body);
+        partner.alone.a.bottomRightCorner<3, 3>() = world_inertia(body);
         partner.alone.b << body.mass * fallen, body.angular_momentum;
     }
     return partners;
 }
 
-// The motions of all bodies for the nodes that press now, and the touches' impulses with them.
+// The motions of all bodies for the nodes that press now, and the contacts' impulses with them.
 template <int D>
-std::vector<Vector6> solve(double dt, const std::vector<Partner>& partners, std::vector<Touch>& touches) {
+std::vector<Vector6> solve(double dt, const std::vector<Partner>& partners,
+                           std::vector<ContactPoint>& contacts) {
     std::vector<Matrix6> inverse;
     std::vector<Vector6> motion;
     for (const Partner& partner : partners) {
-        std::vector<System> of_block(partner.encounters.size());
-        parallel_for(of_block.size(),
-                     [&](std::size_t k) { of_block[k] = system_of<D>(partner.encounters[k]); });
+        std::vector<System> of_block(partner.blocks.size());
+        parallel_for(of_block.size(), [&](std::size_t k) { of_block[k] = system_of<D>(partner.blocks[k]); });
         System system = partner.alone;
         for (const System& part : of_block) system.add(part);
         inverse.push_back(system.a.ldlt().solve(Matrix6::Identity()));
         motion.push_back(inverse.back() * system.b);
     }
-    for (Touch& touch : touches) touch.impulse = 0.0;
-    stop_at_touches(dt, inverse, touches, motion);
+    for (ContactPoint& contact : contacts) contact.impulse = 0.0;
+    solve_contacts(dt, inverse, contacts, motion);
     return motion;
 }
 
 template <int D>
 std::vector<Vector6> find_motions(double dt, bool held, std::vector<Partner>& partners,
-                                  std::vector<Touch>& touches) {
+                                  std::vector<ContactPoint>& contacts) {
     std::vector<Vector6> motion(partners.size(), Vector6::Zero());
-    for (int turn = 0; turn < greatest_turns; ++turn) {
-        if (!held) motion = solve<D>(dt, partners, touches);
+    for (int turn = 0; turn < max_rounds; ++turn) {
+        if (!held) motion = solve<D>(dt, partners, contacts);
         bool changed = false;
         for (std::size_t n = 0; n < partners.size(); ++n) {
-            for (Encounter& encounter : partners[n].encounters) {
-                changed = update_presses(motion[n], 2 * turn > greatest_turns, encounter) || changed;
+            for (BlockContacts& block : partners[n].blocks) {
+                changed = update_presses(motion[n], 2 * turn > max_rounds, block) || changed;
             }
         }
         if (!changed || held) return motion;
     }
-    return solve<D>(dt, partners, touches);
+    return solve<D>(dt, partners, contacts);
 }
 
 }  // namespace
 
 template <int D, class Real>
-void meet_bodies(double dt, double falling, Simulation<D, Real>& s) {
-    if (s.rigid.empty()) return;
-    std::vector<Touch> touches = find_touches(s.grid.layout, s.parameters.boundaries, dt, s.rigid);
-    std::vector<Partner> partners = find_partners(falling, s);
-    const bool held = s.settling.going != 0;
-    const std::vector<Vector6> motion = find_motions<D>(dt, held, partners, touches);
+void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, Grid<D, Real>& grid,
+                      std::vector<RigidBody>& bodies, Vector<D, double>& wall_impulse) {
+    if (bodies.empty()) return;
+    std::vector<ContactPoint> points = find_contacts(grid.layout, boundaries, step.dt, bodies);
+    ContactScene<D, Real> scene{grid, bodies, {}, step.held};
+    for (const RigidBody& body : bodies) scene.ranges.push_back(reach_of<D>(grid.layout, body));
+    std::vector<Partner> partners = find_partners(scene, step);
+    const std::vector<Vector6> motion = find_motions<D>(step.dt, step.held, partners, points);
     for (std::size_t n = 0; n < partners.size(); ++n) {
-        RigidBody& body = s.rigid[n];
-        const std::vector<Encounter>& encounters = partners[n].encounters;
-        std::vector<Given> of_block(encounters.size());
+        RigidBody& body = bodies[n];
+        const std::vector<BlockContacts>& blocks = partners[n].blocks;
+        std::vector<ContactImpulse> of_block(blocks.size());
         parallel_for(of_block.size(), [&](std::size_t k) {
-            of_block[k] = move_nodes<D, Real>(motion[n], body.friction, encounters[k],
-                                              s.grid.block_nodes(encounters[k].slot));
+            of_block[k] =
+                move_nodes<D, Real>(motion[n], body.friction, blocks[k], grid.block_nodes(blocks[k].slot));
         });
-        Given given;
-        for (const Given& part : of_block) {
-            given.impulse += part.impulse;
-            given.turn += part.turn;
-            given.friction += part.friction;
-            given.friction_turn += part.friction_turn;
-        }
-        body.water_impulse += given.impulse + given.friction;
-        body.water_turn += given.turn + given.friction_turn;
-        if (held) {
-            s.wall_impulse -= drop<D>(given.impulse + given.friction);  // who holds it
+        ContactImpulse received;
+        for (const ContactImpulse& part : of_block) received.add(part);
+        body.water_impulse += received.impulse + received.friction;
+        body.water_angular_impulse += received.angular + received.friction_angular;
+        if (step.held) {  // by something outside of the scene, which takes the impulse
+            wall_impulse -= drop<D>(received.impulse + received.friction);
             continue;
         }
-        body.velocity = motion[n].head<3>() + given.friction / body.mass;
-        body.angular_momentum = turned_inertia(body) * motion[n].tail<3>() + given.friction_turn;
-        body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
+        body.velocity = motion[n].head<3>() + received.friction / body.mass;
+        body.angular_momentum = world_inertia(body) * motion[n].tail<3>() + received.friction_angular;
+        body.angular_velocity = world_inertia(body).ldlt().solve(body.angular_momentum);
     }
-    for (const Touch& touch : touches) {
-        const Eigen::Vector3d impulse = touch.impulse * touch.on_a.head<3>();
-        s.rigid[static_cast<std::size_t>(touch.a)].contact_impulse += impulse;
-        if (touch.b >= 0)
-            s.rigid[static_cast<std::size_t>(touch.b)].contact_impulse -= impulse;
+    for (const ContactPoint& point : points) {
+        const Eigen::Vector3d impulse = point.impulse * point.on_a.head<3>();
+        bodies[static_cast<std::size_t>(point.a)].contact_impulse += impulse;
+        if (point.b >= 0)
+            bodies[static_cast<std::size_t>(point.b)].contact_impulse -= impulse;
         else
-            s.wall_impulse += drop<D>(impulse);
+            wall_impulse += drop<D>(impulse);
     }
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real) template void meet_bodies(double, double, Simulation<D, Real>&);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+#define TIDEWATER_INSTANTIATE(D, Real)                                                       \
+    template void resolve_contacts(const ContactStep&, const Boundaries<D>&, Grid<D, Real>&, \
+                                   std::vector<RigidBody>&, Vector<D, double>&);
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "mpm/base/instantiate.h"
+#include "mpm/grid/mirror.h"
+#include "mpm/materials/water_material.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -38,7 +41,7 @@ void for_each_run(const Visit& visit) {
     for (int row = 0; row < Surround<D>::rows; ++row) {
         int neighbour = 0, node = 0;
         for (int axis = 0; axis < D - 1; ++axis) {
-            const int n = row / power(side, D - 2 - axis) % side, block = block_of(n);
+            const int n = index_along<D - 1>(row, side, axis), block = block_of(n);
             neighbour = 3 * neighbour + block;
             node = node * width + n - rim + (1 - block) * width;
         }
@@ -54,18 +57,14 @@ void for_each_run(const Visit& visit) {
 template <int D, class Visit>
 void for_each_row_to_a_wall(const Layout<D>& layout, const Index<D>& block, const Visit& visit) {
     constexpr int rim = Surround<D>::rim;
-    for (int axis = 0; axis < D; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
+    for_each_mirror(layout, [&](int axis, std::size_t, Mirror, int node, int inward) {
         const int along = nodes_along<D>(axis), stride = stride_of<D>(axis);
-        for (const std::size_t far : {std::size_t{0}, std::size_t{1}}) {
-            if (layout.mirrors[a][far] == Mirror::none) continue;
-            const int plane = (far ? layout.cells[a] : 0) - layout.first_node(block[a]) + rim;
-            if (plane < -rim || plane >= along + rim) continue;
-            for (int start = 0; start < Surround<D>::count; start += stride * along) {
-                for (int n = start; n < start + stride; ++n) visit(n, stride, along, plane, far ? -1 : 1);
-            }
+        const int plane = node - layout.first_node(block[static_cast<std::size_t>(axis)]) + rim;
+        if (plane < -rim || plane >= along + rim) return;
+        for (int start = 0; start < Surround<D>::count; start += stride * along) {
+            for (int n = start; n < start + stride; ++n) visit(n, stride, along, plane, inward);
         }
-    }
+    });
 }
 
 // Nodes on a mirroring wall are half in the tank.
@@ -90,26 +89,25 @@ void reflect_in_walls(const Layout<D>& layout, const Index<D>& block, Real* e) {
 
 // What rigid bodies fill of the nodes.
 template <int D, class Real>
-void add_bodies(const Simulation<D, Real>& s, const Index<D>& block, Real* fill) {
+void add_bodies(const Layout<D>& layout, const std::vector<RigidBody>& bodies, const Index<D>& block,
+                Real* fill) {
     constexpr int rim = Surround<D>::rim;
-    const Layout<D>& layout = s.grid.layout;
-    for (const RigidBody& body : s.rigid) {
+    for (const RigidBody& body : bodies) {
         const NodeRange<D> range = reach_of<D>(layout, body);
-        Index<D> first, last;  // counted in the surround
-        int rows = 1;
+        Index<D> first, widths;  // of what it covers of the surround, counted there
+        int count = 1;
         for (std::size_t axis = 0; axis < D; ++axis) {
             const int origin = layout.first_node(block[axis]) - rim;
             first[axis] = std::max(range.first[axis] - origin, 0);
-            last[axis] = std::min(range.last[axis] - origin, nodes_along<D>(static_cast<int>(axis)) - 1);
-            rows *= std::max(last[axis] - first[axis] + 1, 0);
+            const int last = std::min(range.last[axis] - origin, nodes_along<D>(static_cast<int>(axis)) - 1);
+            widths[axis] = std::max(last - first[axis] + 1, 0);
+            count *= widths[axis];
         }
-        for (int n = 0; n < rows; ++n) {
-            Index<D> node;
-            int to = 0, rest = n;
-            for (std::size_t axis = D; axis-- > 0;) {
-                const int along = last[axis] - first[axis] + 1;
-                node[axis] = first[axis] + rest % along;
-                rest /= along;
+        for (int n = 0; n < count; ++n) {
+            Index<D> node = index_of<D>(n, widths);
+            int to = 0;
+            for (std::size_t axis = 0; axis < D; ++axis) {
+                node[axis] += first[axis];
                 to += node[axis] * stride_of<D>(static_cast<int>(axis));
                 node[axis] += layout.first_node(block[axis]) - rim;
             }
@@ -141,71 +139,38 @@ void smooth(Real* e) {
 template <int D, class Real>
 void fill_to_crowding(const Real* water, Real* fill) {
     constexpr int height = Surround<D>::height;
-    constexpr auto least = static_cast<Real>(least_fill);
+    constexpr auto full = static_cast<Real>(min_fill);
     for (int start = 0; start < Surround<D>::count; start += height) {
         for (int n = start; n < start + height - 1; ++n) {
-            const bool counts = (fill[n] > least) | (water[n + 1] > least);
+            const bool counts = (fill[n] > full) | (water[n + 1] > full);
             fill[n] = counts ? fill[n] - Real(1) : Real(0);
         }
     }
 }
 
-// Whether the ground reaches into what a node's spline covers.
-template <int D>
-bool beside_bed(const Layout<D>& layout, const Bed<D>& bed, const Index<D>& node) {
-    if (!bed.exists()) return false;
-    Vector<D - 1, double> at;
-    for (int axis = 0; axis < D - 1; ++axis) {
-        at[axis] = layout.cell_size * node[static_cast<std::size_t>(axis)];
-    }
-    const double above = layout.cell_size * node[D - 1] - bed.height(at);
-    const double normal_z = 1.0 / std::sqrt(1.0 + bed.slope(at, layout.cell_size).squaredNorm());
-    return above * normal_z < 1.5 * layout.cell_size;
-}
-
-// Whether a node lies beside something that holds nodes without mirroring them.
-template <int D>
-bool beside_held(const Layout<D>& layout, const Boundaries<D>& boundaries, double time,
-                 const Index<D>& node) {
-    const auto cells = [&](double x) { return x / layout.cell_size + 1.0; };
-    for (std::size_t axis = 0; axis < D; ++axis) {
-        const auto& [near, far] = layout.mirrors[axis];
-        if (near == Mirror::none && node[axis] <= 1) return true;
-        if (far == Mirror::none && node[axis] >= layout.cells[axis] - 1) return true;
-    }
-    const Shelf& shelf = boundaries.shelf;
-    if (shelf.exists() && node[0] <= cells(shelf.end_at(time)) && node[D - 1] <= cells(shelf.top))
-        return true;
-    if (boundaries.push.exists() && node[0] <= cells(boundaries.push.position(time)) + 1.0) return true;
-    if (boundaries.piston.exists() && node[0] <= cells(boundaries.piston.position(time)) + 1.0) return true;
-    return beside_bed(layout, boundaries.bed, node);
-}
-
+// Whether a boundary or a solid may hide how full a node is of water, anywhere in the scene.
 template <int D, class Real>
-bool all_mirrors_and_water(const Simulation<D, Real>& s) {
-    const Boundaries<D>& boundaries = s.parameters.boundaries;
-    bool known = !boundaries.shelf.exists() && !boundaries.push.exists() && !boundaries.bed.exists() &&
-                 !boundaries.piston.exists();
-    for (const auto& axis : s.grid.layout.mirrors) {
-        for (const Mirror mirror : axis) known = known && mirror != Mirror::none;
-    }
-    for (const auto& particles : s.bodies) known = known && particles.material == Material::water;
-    return known;
+bool may_be_unknown(const Boundaries<D>& boundaries, const Layout<D>& layout,
+                    const std::vector<Particles<D, Real>>& bodies) {
+    bool unknown = false;
+    for_each_boundary(boundaries, [&](const auto& of) { unknown = unknown || of.hides_fill(layout); });
+    for (const auto& particles : bodies) unknown = unknown || particles.material != Material::water;
+    return unknown;
 }
 
 // Marks the nodes of a block that the solids in block `slot` touch now, or a cell further on.
 template <int D, class Real>
-void mark_solids(const Simulation<D, Real>& s, std::size_t slot, const Index<D>& node_block,
-                 std::uint8_t* marks) {
+void mark_solids(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies, std::size_t slot,
+                 const Index<D>& node_block, std::uint8_t* marks) {
     constexpr int reach = 2, width = 2 * reach + 1;
-    const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
-    for (const auto& particles : s.bodies) {
+    const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
+    for (const auto& particles : bodies) {
         if (particles.material == Material::water) continue;
         for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
             for (int k = 0; k < power(width, D); ++k) {
                 int node = 0;
                 for (std::size_t axis = 0; axis < D && node >= 0; ++axis) {
-                    const int offset = k / power(width, D - 1 - static_cast<int>(axis)) % width - reach;
+                    const int offset = index_along<D>(k, width, static_cast<int>(axis)) - reach;
                     const int n = nearest_node(particles.position[axis][p]) + offset +
                                   (block[axis] - node_block[axis]) * Block<D>::width;
                     node = n < 0 || n >= Block<D>::width ? -1 : node * Block<D>::width + n;
@@ -219,56 +184,57 @@ void mark_solids(const Simulation<D, Real>& s, std::size_t slot, const Index<D>&
 }  // namespace
 
 template <int D, class Real>
-bool has_water(const Simulation<D, Real>& s, std::size_t slot) {
-    return std::ranges::any_of(s.bodies, [&](const auto& particles) {
+bool has_water(const std::vector<Particles<D, Real>>& bodies, std::size_t slot) {
+    return std::ranges::any_of(bodies, [&](const auto& particles) {
         return particles.material == Material::water && particles.begin[slot] < particles.begin[slot + 1];
     });
 }
 
 template <int D, class Real>
-void mark_unknown_fill(Simulation<D, Real>& s) {
-    s.unknown_fill.clear();
-    if (s.parameters.water.scheme == WaterScheme::paper || all_mirrors_and_water(s)) return;
-    const Grid<D, Real>& grid = s.grid;
-    s.unknown_fill.assign(grid.nodes.size(), 0);
+std::vector<std::uint8_t> find_unknown_fill(const Parameters<D>& parameters, double time,
+                                            const Grid<D, Real>& grid,
+                                            const std::vector<Particles<D, Real>>& bodies) {
+    const Boundaries<D>& boundaries = parameters.boundaries;
+    if (!keeps_to_room(parameters.water) || !may_be_unknown(boundaries, grid.layout, bodies)) return {};
+    std::vector<std::uint8_t> unknown(grid.nodes.size(), 0);
     parallel_for(grid.node_blocks.size(), [&](std::size_t slot) {
         const auto& tiles = grid.tiles_of_node[slot];
-        const auto wet = [&](int tile) { return tile >= 0 && has_water(s, static_cast<std::size_t>(tile)); };
+        const auto wet = [&](int tile) {
+            return tile >= 0 && has_water(bodies, static_cast<std::size_t>(tile));
+        };
         if (std::ranges::none_of(tiles, wet)) return;  // no water reads these nodes
         const Index<D> block = block_at<D>(grid.node_blocks[slot]);
-        std::uint8_t* marks = s.unknown_fill.data() + slot * Block<D>::nodes;
+        std::uint8_t* marks = unknown.data() + slot * Block<D>::nodes;
         for (int n = 0; n < Block<D>::nodes; ++n) {
-            marks[n] =
-                beside_held(grid.layout, s.parameters.boundaries, s.time, node_at(grid.layout, block, n));
+            const Index<D> node = node_at(grid.layout, block, n);
+            bool hidden = false;
+            for_each_boundary(boundaries, [&](const auto& of) {
+                hidden = hidden || of.hides_fill_at(grid.layout, time, node);
+            });
+            marks[n] = hidden;
         }
         for (const int tile : tiles) {
-            if (tile >= 0) mark_solids(s, static_cast<std::size_t>(tile), block, marks);
+            if (tile >= 0) mark_solids(grid, bodies, static_cast<std::size_t>(tile), block, marks);
         }
     });
-}
-
-template <int D>
-double crowding_rate(const Parameters<D>& parameters, double cell_size, double dt) {
-    if (parameters.water.scheme == WaterScheme::paper) return 0.0;
-    return std::min(dt * std::sqrt(parameters.gravity / cell_size), greatest_rate);
+    return unknown;
 }
 
 template <int D, class Real>
-void load_crowding(const Simulation<D, Real>& s, std::size_t slot, Node<Real>* tile) {
+void load_crowding(double water_density, const Grid<D, Real>& grid, const std::vector<RigidBody>& rigid,
+                   const std::vector<std::uint8_t>& unknown_fill, std::size_t slot, Node<Real>* tile) {
     constexpr int count = Surround<D>::count;
     constexpr Real unknown = std::numeric_limits<Real>::infinity();
-    const Grid<D, Real>& grid = s.grid;
-    const auto per_mass =
-        static_cast<Real>(1.0 / (s.parameters.water.density * std::pow(grid.layout.cell_size, D)));
+    const auto per_mass = static_cast<Real>(1.0 / (water_density * std::pow(grid.layout.cell_size, D)));
     alignas(64) Real e[count];
     for_each_run<D>([&](int to, int neighbour, int node, int length) {
         const auto block =
             static_cast<std::size_t>(grid.nodes_of_tile[slot][static_cast<std::size_t>(neighbour)]);
         const Node<Real>* nodes = grid.block_nodes(block) + node;
         for (int n = 0; n < length; ++n) e[to + n] = per_mass * nodes[n][mass_lane];
-        if (s.unknown_fill.empty()) return;
+        if (unknown_fill.empty()) return;
         const std::uint8_t* marks =
-            s.unknown_fill.data() + block * Block<D>::nodes + static_cast<std::size_t>(node);
+            unknown_fill.data() + block * Block<D>::nodes + static_cast<std::size_t>(node);
         for (int n = 0; n < length; ++n) {
             if (marks[n]) e[to + n] = unknown;
         }
@@ -277,7 +243,7 @@ void load_crowding(const Simulation<D, Real>& s, std::size_t slot, Node<Real>* t
     double_on_walls<D>(grid.layout, block, e);
     alignas(64) Real water[count];
     std::copy_n(e, count, water);
-    add_bodies(s, block, e);
+    add_bodies(grid.layout, rigid, block, e);
     fill_to_crowding<D>(water, e);
     reflect_in_walls<D>(grid.layout, block, e);
     smooth<D>(e);
@@ -285,21 +251,18 @@ void load_crowding(const Simulation<D, Real>& s, std::size_t slot, Node<Real>* t
     for (int row = 0; row < power(tile_width, D - 1); ++row) {
         int from = 1;  // the tile begins one node inside
         for (int axis = 0; axis < D - 1; ++axis) {
-            from += (row / power(tile_width, D - 2 - axis) % tile_width + 1) * stride_of<D>(axis);
+            from += (index_along<D - 1>(row, tile_width, axis) + 1) * stride_of<D>(axis);
         }
-        for (int n = 0; n < tile_width; ++n) tile[row * tile_width + n][mass_lane] = e[from + n];
+        for (int n = 0; n < tile_width; ++n) tile[row * tile_width + n][crowding_lane] = e[from + n];
     }
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                \
-    template bool has_water(const Simulation<D, Real>&, std::size_t); \
-    template void mark_unknown_fill(Simulation<D, Real>&);            \
-    template void load_crowding(const Simulation<D, Real>&, std::size_t, Node<Real>*);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
-template double crowding_rate<2>(const Parameters<2>&, double, double);
-template double crowding_rate<3>(const Parameters<3>&, double, double);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                       \
+    template bool has_water(const std::vector<Particles<D, Real>>&, std::size_t);                            \
+    template std::vector<std::uint8_t> find_unknown_fill(const Parameters<D>&, double, const Grid<D, Real>&, \
+                                                         const std::vector<Particles<D, Real>>&);            \
+    template void load_crowding(double, const Grid<D, Real>&, const std::vector<RigidBody>&,                 \
+                                const std::vector<std::uint8_t>&, std::size_t, Node<Real>*);
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -18,9 +18,10 @@
 
 namespace tidewater::mpm {
 
-// Gives the nodes' velocities back what the coming round trip would take. What momentum that adds, which can
-// only come from walls, goes to s.wall_impulse.
+// Gives the nodes' velocities back what the coming round trip would take. What momentum that adds can only
+// come from walls; it goes to wall_impulse, kg m/s.
 template <int D, class Real>
-void restore_velocities(Simulation<D, Real>& s);
+void restore_velocities(const std::vector<Particles<D, Real>>& bodies, Grid<D, Real>& grid,
+                        Vector<D, double>& wall_impulse);
 
 }  // namespace tidewater::mpm

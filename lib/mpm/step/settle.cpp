@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "mpm/base/instantiate.h"
 #include "mpm/particles/motion.h"
+#include "mpm/step/step.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -51,13 +53,10 @@ void begin_time(Simulation<D, Real>& s) {
     s.settling.going = false;
     s.step = 0;
     s.dt = 0.0;
-    s.wall_impulse.setZero();
-    s.gravity_impulse = 0.0;
-    s.boundary_work = 0.0;
-    s.outflow = {};
+    s.accounts = {};
     for (RigidBody& body : s.rigid) {
         body.water_impulse.setZero();
-        body.water_turn.setZero();
+        body.water_angular_impulse.setZero();
         body.contact_impulse.setZero();
     }
 }
@@ -97,9 +96,6 @@ bool settle_step(Simulation<D, Real>& s, double tolerance) {
 #define TIDEWATER_INSTANTIATE(D, Real)                  \
     template void begin_settling(Simulation<D, Real>&); \
     template bool settle_step(Simulation<D, Real>&, double);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

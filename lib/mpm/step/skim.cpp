@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/state/simulation.h"
+#include "mpm/base/instantiate.h"
+#include "mpm/step/take_out.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -26,13 +27,11 @@ double still_depth(double depth, double gravity, const WaterModel& water) {
 }
 
 // Water in a column at rest: the mean over its lines of nodes' middles of what is above the bed.
-template <int D, class Real>
-std::vector<double> still_volumes(const Simulation<D, Real>& s, const SkimColumns<D>& columns) {
-    const double dx = s.grid.layout.cell_size, level = s.parameters.boundaries.sponge.level;
-    const Bed<D>& bed = s.parameters.boundaries.bed;
-    const auto still = [&](double depth) {
-        return still_depth(depth, s.parameters.gravity, s.parameters.water);
-    };
+template <int D>
+std::vector<double> still_volumes(const Parameters<D>& parameters, double dx, const SkimColumns<D>& columns) {
+    const double level = parameters.boundaries.sponge.level;
+    const Bed<D>& bed = parameters.boundaries.bed;
+    const auto still = [&](double depth) { return still_depth(depth, parameters.gravity, parameters.water); };
     std::vector<double> volumes(static_cast<std::size_t>(columns.total()), columns.area() * still(level));
     if (!bed.exists()) return volumes;
     constexpr int across = D - 1;
@@ -55,16 +54,17 @@ std::vector<double> still_volumes(const Simulation<D, Real>& s, const SkimColumn
 }
 
 template <int D, class Real>
-std::vector<Content> contents(const Simulation<D, Real>& s, const SkimColumns<D>& columns) {
-    const Layout<D>& layout = s.grid.layout;
-    const double lowest = s.parameters.boundaries.sponge.level - layout.cell_size;
+std::vector<Content> contents(double level, const Grid<D, Real>& grid,
+                              const std::vector<Particles<D, Real>>& bodies, const SkimColumns<D>& columns) {
+    const Layout<D>& layout = grid.layout;
+    const double lowest = level - layout.cell_size;
     std::vector<Content> contents(static_cast<std::size_t>(columns.total()));
-    for (std::size_t slot = 0; slot < s.grid.particle_blocks.size(); ++slot) {
-        const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+    for (std::size_t slot = 0; slot < grid.particle_blocks.size(); ++slot) {
+        const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
         // A particle may have drifted half a cell out of its block.
         if (layout.cell_size * (layout.first_node(block[0]) + Block<D>::width + 1) < columns.low[0]) continue;
-        for (std::size_t body = 0; body < s.bodies.size(); ++body) {
-            const auto& particles = s.bodies[body];
+        for (std::size_t body = 0; body < bodies.size(); ++body) {
+            const auto& particles = bodies[body];
             if (particles.material != Material::water) continue;
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 const Vector<D, double> point = global_position(layout, block, particles, p);
@@ -116,15 +116,14 @@ Vector<SkimColumns<D>::across, double> SkimColumns<D>::middle(int column) const 
     return place;
 }
 
-template <int D, class Real>
-SkimColumns<D> skim_columns(const Simulation<D, Real>& s) {
-    const Sponge& sponge = s.parameters.boundaries.sponge;
+template <int D>
+SkimColumns<D> skim_columns(const Layout<D>& layout, const Sponge& sponge) {
     SkimColumns<D> columns;
     columns.low.setZero();
     columns.low[0] = sponge.from;
     for (int axis = 0; axis < D - 1; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        columns.high[axis] = s.grid.layout.cell_size * s.grid.layout.cells[a];
+        columns.high[axis] = layout.cell_size * layout.cells[a];
         const double depths = (columns.high[axis] - columns.low[axis]) / sponge.level;
         columns.counts[a] = std::max(static_cast<int>(std::lround(depths)), 1);
     }
@@ -132,44 +131,44 @@ SkimColumns<D> skim_columns(const Simulation<D, Real>& s) {
 }
 
 template <int D, class Real>
-void skim(Simulation<D, Real>& s) {
-    const Sponge& sponge = s.parameters.boundaries.sponge;
+void skim(const Parameters<D>& parameters, double time, const Grid<D, Real>& grid,
+          std::vector<Particles<D, Real>>& bodies, Skimming& skimming, Outflow<D>& outflow) {
+    const Sponge& sponge = parameters.boundaries.sponge;
     if (!sponge.exists() || !(sponge.level > 0.0)) return;
-    const SkimColumns<D> columns = skim_columns(s);
-    Skimming& books = s.skimming;
-    if (books.still.empty()) books.still = still_volumes(s, columns);
-    books.due.resize(books.still.size(), 0.0);
-    auto all = contents(s, columns);
-    const double elapsed = s.time - books.time, least = -0.5 * s.grid.layout.cell_size * columns.area();
-    books.time = s.time;
-    std::vector<std::vector<std::size_t>> gone(s.bodies.size());
+    const double dx = grid.layout.cell_size;
+    const SkimColumns<D> columns = skim_columns(grid.layout, sponge);
+    if (skimming.still.empty()) skimming.still = still_volumes(parameters, dx, columns);
+    skimming.due.resize(skimming.still.size(), 0.0);
+    auto all = contents(sponge.level, grid, bodies, columns);
+    const double elapsed = time - skimming.time, min_due = -0.5 * dx * columns.area();
+    skimming.time = time;
+    std::vector<std::vector<std::size_t>> gone(bodies.size());
     for (std::size_t column = 0; column < all.size(); ++column) {
         const double sigma = sponge.damping(columns.middle(static_cast<int>(column))[0]);
-        const double excess = all[column].volume - books.still[column];
-        double& due = books.due[column];
-        due = std::max(due - std::expm1(-sigma * elapsed) * excess, least);
+        const double excess = all[column].volume - skimming.still[column];
+        double& due = skimming.due[column];
+        due = std::max(due - std::expm1(-sigma * elapsed) * excess, min_due);
         auto& top = all[column].top;
         std::ranges::stable_sort(top, std::ranges::greater{}, &Candidate::height);
         for (const Candidate& next : top) {
-            if (due < s.bodies[next.body].volume) break;
-            due -= s.bodies[next.body].volume;
+            if (due < bodies[next.body].volume) break;
+            due -= bodies[next.body].volume;
             gone[next.body].push_back(next.particle);
         }
     }
     for (std::size_t body = 0; body < gone.size(); ++body) {
         std::ranges::sort(gone[body]);
-        let_out(gone[body], s.bodies[body], s);
+        take_out(gone[body], parameters, grid, bodies[body], outflow);
     }
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                \
-    template SkimColumns<D> skim_columns(const Simulation<D, Real>&); \
-    template void skim(Simulation<D, Real>&);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                       \
+    template void skim(const Parameters<D>&, double, const Grid<D, Real>&, std::vector<Particles<D, Real>>&, \
+                       Skimming&, Outflow<D>&);
 template struct SkimColumns<2>;
 template struct SkimColumns<3>;
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+template SkimColumns<2> skim_columns(const Layout<2>&, const Sponge&);
+template SkimColumns<3> skim_columns(const Layout<3>&, const Sponge&);
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -1,9 +1,9 @@
 // What a sponge takes of the volume that waves bring.
 //
 // Damping alone stops a wave, but its water stays and flows back. So the sponge treats the surface as it
-// treats the velocity (mpm/boundaries/sponge.h), ∂η/∂t + … = −σ η, which long waves enter without an echo. Columns about
-// as wide as the water is deep hold the water V (at rest, m³) over the area A and in still water V_still;
-// each has an account of what it has yet to give,
+// treats the velocity (mpm/boundaries/sponge.h), ∂η/∂t + … = −σ η, which long waves enter without an echo.
+// Columns about as wide as the water is deep hold the water V (at rest, m³) over the area A and in still
+// water V_still; each has an account of what it has yet to give,
 //
 //     due += (1 − exp(−σ τ)) (V − V_still),    due ≥ −A Δx/2,
 //
@@ -21,11 +21,11 @@
 
 #include <vector>
 
-#include "mpm/step/outflow.h"
+#include "mpm/state/simulation.h"
 
 namespace tidewater::mpm {
 
-// Which columns there are: `counts` per horizontal axis, in the box from `low` to `high`.
+// The columns, `counts` per horizontal axis, in the box from `low` to `high`.
 template <int D>
 struct SkimColumns {
     static constexpr int across = D - 1;
@@ -38,18 +38,13 @@ struct SkimColumns {
     Vector<across, double> middle(int column) const;  // m
 };
 
-template <int D, class Real>
-SkimColumns<D> skim_columns(const Simulation<D, Real>& s);
+template <int D>
+SkimColumns<D> skim_columns(const Layout<D>& layout, const Sponge& sponge);
 
-// The sponge's books.
-struct Skimming {
-    double time = 0.0;          // s, when it took last
-    std::vector<double> due;    // [column] m³; empty until it takes first
-    std::vector<double> still;  // [column] V_still, m³; follows from the scene, filled with due
-};
-
-// Takes what is due since s.skimming.time; nothing without a sponge or where its level is 0.
+// Takes what is due at `time` (s) since skimming.time; nothing without a sponge or where its level is 0. Done
+// before particles are sorted.
 template <int D, class Real>
-void skim(Simulation<D, Real>& s);
+void skim(const Parameters<D>& parameters, double time, const Grid<D, Real>& grid,
+          std::vector<Particles<D, Real>>& bodies, Skimming& skimming, Outflow<D>& outflow);
 
 }  // namespace tidewater::mpm

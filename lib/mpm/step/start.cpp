@@ -5,9 +5,12 @@
 #include <limits>
 
 #include "core/error.h"
+#include "mpm/base/instantiate.h"
+#include "mpm/materials/materials.h"
 #include "mpm/particles/binning.h"
-#include "mpm/step/crowding.h"
 #include "mpm/particles/motion.h"
+#include "mpm/step/crowding.h"
+#include "mpm/step/time_step.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -58,37 +61,29 @@ std::vector<double> hydrostatic_columns(const Start<D>& start, typename Start<D>
     return j;
 }
 
-// α = −asinh(p0/κ)/ξ of each point; what has no strength left has failed at time 0.
+// α = −asinh(p0/κ)/ξ of each point that is weaker than intact ice; what has no strength left has failed at
+// time 0.
 template <int D, class Real>
-void fill_strength(const Start<D>& start, const typename Start<D>::Body& body,
-                   Particles<D, Real>& particles) {
-    const IceModel& ice = start.parameters.ice;
-    const double intact = ice.initial_alpha(D), share_of_kappa = std::sinh(-ice.hardening * intact);
-    particles.alpha.assign(body.points.size(), static_cast<Real>(intact));
-    particles.failure_time.assign(body.points.size(), std::numeric_limits<Real>::infinity());
-    for (std::size_t p = 0; p < body.strength.size(); ++p) {
-        const double strength = body.strength[p];
-        if (strength >= 1.0) continue;
-        particles.alpha[p] = static_cast<Real>(-std::asinh(strength * share_of_kappa) / ice.hardening);
-        if (strength <= 0.0) particles.failure_time[p] = Real(0);
+void weaken(const IceModel& ice, const std::vector<float>& strength, Particles<D, Real>& particles) {
+    const double share_of_kappa = std::sinh(-ice.hardening * ice.initial_alpha(D));
+    for (std::size_t p = 0; p < strength.size(); ++p) {
+        const double left = strength[p];
+        if (left >= 1.0) continue;
+        particles.alpha[p] = static_cast<Real>(-std::asinh(left * share_of_kappa) / ice.hardening);
+        if (left <= 0.0) particles.failure_time[p] = Real(0);
     }
 }
 
-// Fills the columns that the material needs, in the order of the points. Returns the least j.
+// Makes the columns that the material keeps, in the order of the points; `j` of each point of water.
 template <int D, class Real>
-double fill_columns(const Start<D>& start, const typename Start<D>::Body& body, const std::vector<double>& j,
-                    Particles<D, Real>& particles) {
-    double least_j = 0.0;
-    if (particles.material == Material::water) {
-        for (const double of_point : j) {
-            particles.j.push_back(static_cast<Real>(of_point));
-            least_j = std::min(least_j, of_point);
-        }
-    } else if (particles.material == Material::ice) {
-        for (auto& column : particles.strain) column.assign(body.points.size(), Real(0));
-        if (start.parameters.ice.fracture) fill_strength(start, body, particles);
-    }
-    return least_j;
+void fill_columns(const Start<D>& start, const typename Start<D>::Body& body, const std::vector<double>& j,
+                  Particles<D, Real>& particles) {
+    with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
+        M::make_columns(M::model(start.parameters), body.points.size(), particles);
+    });
+    for (std::size_t p = 0; p < j.size(); ++p) particles.j[p] = static_cast<Real>(j[p]);
+    if (particles.material == Material::ice && start.parameters.ice.fracture)
+        weaken(start.parameters.ice, body.strength, particles);
 }
 
 // The start's velocities on the nodes; ids of a body count up from first_id.
@@ -146,7 +141,7 @@ Simulation<D, Real> make_simulation(Start<D> start) {
     s.grid.layout = Layout<D>{start.cell_size, start.cells, mirrors_of(start.parameters.boundaries)};
     std::vector<const typename Start<D>::Body*> bodies;
     std::vector<std::span<const Vector<D, double>>> points;
-    double least_j = 0.0;
+    Findings findings;
     for (auto& body : start.bodies) {
         if (body.points.empty()) continue;
         std::vector<double> j;
@@ -158,23 +153,21 @@ Simulation<D, Real> make_simulation(Start<D> start) {
         particles.material = body.material;
         particles.mass = body.mass / count;
         particles.volume = body.volume / count;
-        least_j = std::min(least_j, fill_columns(start, body, j, particles));
+        for (const double of_point : j) findings.add({.min_j = of_point});
+        fill_columns(start, body, j, particles);
     }
-    update_sound(s, least_j);
+    s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings);
     place<D, Real>(points, s.grid, s.bodies);
-    mark_unknown_fill(s);
+    s.unknown_fill = find_unknown_fill(s.parameters, s.time, s.grid, s.bodies);
     scatter_start(start, bodies, s);
     for (const RigidStart<D>& body : start.rigid) {
         s.rigid.push_back(make_rigid_body(body, start.cell_size));
-        s.speeds.particle = std::max(s.speeds.particle, greatest_speed(s.rigid.back()));
+        s.speeds.particle = std::max(s.speeds.particle, max_speed(s.rigid.back()));
     }
     return s;
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real) template Simulation<D, Real> make_simulation(Start<D>);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

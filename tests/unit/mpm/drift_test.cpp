@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "mpm/step/start.h"
+#include "mpm/step/step.h"
 #include "support/state.h"
 
 using namespace tidewater;

@@ -60,7 +60,7 @@ Flight check_momenta(const Start<D>& start, int steps, double tolerance, double 
     const auto after = test::momenta_of(s);
     CHECK(test::is_finite(state));
     CHECK(changes_of_blocks > 0);
-    CHECK(s.wall_impulse.isZero(0.0));
+    CHECK(s.accounts.wall_impulse.isZero(0.0));
     CHECK(after.mass == before.mass);
     const double linear = (after.linear - before.linear).norm() / scale;
     const double angular = (after.angular - before.angular).norm() / arm_scale;

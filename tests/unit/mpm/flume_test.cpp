@@ -55,13 +55,13 @@ TEST_CASE("water between a piston and a sponge keeps closed ledgers of momentum 
     auto s = make_simulation<2, double>(start);
     const auto energy = [&] {
         const auto ledger = take_ledger(s);
-        return ledger.kinetic + ledger.gravitational + ledger.elastic - s.boundary_work;
+        return ledger.kinetic + ledger.gravitational + ledger.elastic - s.accounts.boundary_work;
     };
     const double before = energy();
     while (s.time < 3.0) advance(s, stable_time_step(s));
-    Vector<2, double> open = take_ledger(s).momentum - s.wall_impulse;
-    open[1] -= s.gravity_impulse;
-    CHECK(open.norm() < 1e-10 * std::abs(s.gravity_impulse));
-    CHECK(s.boundary_work > 100.0);
+    Vector<2, double> open = take_ledger(s).momentum - s.accounts.wall_impulse;
+    open[1] -= s.accounts.gravity_impulse;
+    CHECK(open.norm() < 1e-10 * std::abs(s.accounts.gravity_impulse));
+    CHECK(s.accounts.boundary_work > 100.0);
     CHECK(energy() < before + 1.0);
 }

@@ -98,7 +98,7 @@ void check_threads(std::initializer_list<int> counts) {
         const auto parallel = run<D, Real>(start, 300, threads);
         CHECK(state_hash(parallel) == state_hash(serial));
         CHECK(take_ledger(parallel).kinetic == serial_ledger.kinetic);
-        CHECK(parallel.wall_impulse == serial.wall_impulse);
+        CHECK(parallel.accounts.wall_impulse == serial.accounts.wall_impulse);
     }
 }
 

@@ -54,8 +54,8 @@ TEST_CASE("wider sponges and finer cells absorb a solitary wave") {
     }
 }
 
-// Height by the linear theory of the wave maker (mpm/boundaries/piston.h). What a sponge of 10 D sends back makes
-// heights differ along the flume.
+// Height by the linear theory of the wave maker (mpm/boundaries/piston.h). What a sponge of 10 D sends back
+// makes heights differ along the flume.
 TEST_CASE("a piston in sine motion makes waves of the linear theory's height, and a sponge takes them") {
     const double amplitude = 0.03;
     for (const double period : {2.0, 3.0}) {
@@ -78,7 +78,8 @@ TEST_CASE("a piston in sine motion makes waves of the linear theory's height, an
         }
         const double echo = (most - least) / (most + least);
         MESSAGE("period ", period, " s, kD ", k, ": height over theory's ", mean, ", echo ", 100.0 * echo,
-                " %, mean level ", 1000.0 * (level - 1.0), " mm, water taken ", s.outflow.mass, " kg");
+                " %, mean level ", 1000.0 * (level - 1.0), " mm, water taken ", s.accounts.outflow.mass,
+                " kg");
         CHECK(mean == doctest::Approx(1.0).epsilon(0.1));
         CHECK(echo < 0.15);
     }

@@ -58,12 +58,12 @@ TEST_CASE("a body's mass and inertia are those of a box") {
     CHECK(body.mass == doctest::Approx(6.0 * 920.0));
     CHECK(body.center_in_box(cell).isApprox(Eigen::Vector3d(5.0, 5.0, 5.0)));
     CHECK(body.inertia.isApprox(body.mass / 12.0 * Eigen::Vector3d(5.0, 10.0, 13.0)));
-    CHECK(turned_inertia(body).diagonal().isApprox(body.mass / 12.0 * Eigen::Vector3d(13.0, 10.0, 5.0)));
+    CHECK(world_inertia(body).diagonal().isApprox(body.mass / 12.0 * Eigen::Vector3d(13.0, 10.0, 5.0)));
     CHECK(kinetic_energy(body) == doctest::Approx(0.5 * body.mass * 14.0 + 0.5 * body.inertia[1] * 4.0));
     // From x towards z: what points along x goes up.
     CHECK(body.velocity_at({1.0, 0.0, 0.0}).isApprox(Eigen::Vector3d(1.0, 2.0, 5.0)));
     // The corner that moves fastest: v + ω × r with r = (±½, ±1, ±3/2).
-    CHECK(greatest_speed(body) == doctest::Approx(std::sqrt(16.0 + 4.0 + 16.0)));
+    CHECK(max_speed(body) == doctest::Approx(std::sqrt(16.0 + 4.0 + 16.0)));
 }
 
 TEST_CASE("a body in 2D is a box one metre wide") {
@@ -94,7 +94,7 @@ TEST_CASE("a body that spins about its middle axis tumbles and keeps angular mom
     start.spin = 3.0;
     RigidBody body = make_rigid_body(start, cell);
     body.angular_momentum += Eigen::Vector3d(0.01, 0.0, 0.0) * body.mass;
-    body.angular_velocity = turned_inertia(body).ldlt().solve(body.angular_momentum);
+    body.angular_velocity = world_inertia(body).ldlt().solve(body.angular_momentum);
     const Eigen::Vector3d momentum = body.angular_momentum;
     const double energy = kinetic_energy(body);
     double least = 1.0;

@@ -69,7 +69,8 @@ double slide(double angle, int cells_across, WallRule rule) {
     while (s.time < 0.1) advance(s, stable_time_step(s));
     const double from = along(), time = s.time + 0.5 * s.dt;
     while (s.time < 0.25) advance(s, stable_time_step(s));
-    CHECK(s.wall_impulse[D - 1] > 0.1 * std::abs(s.gravity_impulse));  // it does touch the ground
+    CHECK(s.accounts.wall_impulse[D - 1] >
+          0.1 * std::abs(s.accounts.gravity_impulse));  // it does touch the ground
     return (along() - from) / ((s.time + 0.5 * s.dt - time) * 9.81 * std::abs(std::sin(angle)));
 }
 
@@ -104,7 +105,12 @@ TEST_CASE("a bed takes what goes into the ground along its own normal, by its ru
     const auto act = [&](WallRule rule, const Vector<2, double>& v, WallAction<2>& action) {
         const auto bed = make_bed<2>(0.5, layout.cells, rule, [](double x) { return 0.3 + 0.75 * x; });
         std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(v[0], v[1], 0.0, 2.0));
-        action = apply_bed<2, double>(layout, bed, {2, 2}, nodes.data());
+        const auto acting = bed.acting(layout, {});
+        const auto under = acting.on({2, 2});
+        REQUIRE(under.has_value());
+        action.impulse = change_nodes<2, double>(
+            layout, {2, 2}, nodes.data(),
+            [&](const Index<2>& node, Node<double>& velocity) { under->act(node, velocity, action); });
         return nodes;
     };
     const auto at = [](const auto& nodes, int x, int z) -> Vector<2, double> {
@@ -167,9 +173,9 @@ TEST_CASE("a pool in a valley stays where it is, whatever the slope and the cell
             double deepest = 0.0;
             for (const auto& x : state.x) deepest = std::min(deepest, (x[1] - height(x[0])) / cell);
             CHECK(deepest > -0.5);
-            Vector<2, double> open = after.momentum - s.wall_impulse;
-            open[1] -= s.gravity_impulse;
-            CHECK(open.norm() < 1e-9 * std::abs(s.gravity_impulse));
+            Vector<2, double> open = after.momentum - s.accounts.wall_impulse;
+            open[1] -= s.accounts.gravity_impulse;
+            CHECK(open.norm() < 1e-9 * std::abs(s.accounts.gravity_impulse));
         }
     }
 }

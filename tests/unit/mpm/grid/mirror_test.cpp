@@ -237,8 +237,9 @@ TEST_CASE_TEMPLATE("thrown against mirrors water does not pass them, and its mom
             advance(s, stable_time_step(s));
             if (n % 20 == 0) least = std::min(least, depth_beyond_walls(s));
         }
-        test::check_momentum(s, before.momentum, std::abs(s.gravity_impulse) + before.momentum.norm());
-        CHECK(s.wall_impulse.norm() > 0.5 * before.momentum.norm());
+        test::check_momentum(s, before.momentum,
+                             std::abs(s.accounts.gravity_impulse) + before.momentum.norm());
+        CHECK(s.accounts.wall_impulse.norm() > 0.5 * before.momentum.norm());
         CHECK(least > -1e-6);
         MESSAGE("nearest to a wall, cells: " << least);
     }

@@ -4,8 +4,9 @@
 
 #include <initializer_list>
 
-#include "mpm/state/ledger.h"
+#include "mpm/materials/water_material.h"
 #include "mpm/particles/motion.h"
+#include "mpm/state/ledger.h"
 #include "support/tank.h"
 
 using namespace tidewater;
@@ -29,10 +30,10 @@ std::vector<double> crowding_of(const Simulation<D, double>& s) {
     for (std::size_t slot = 0; slot < s.grid.particle_blocks.size(); ++slot) {
         Tile<D, double> tile;
         tile.fill(Node<double>::Zero());
-        load_crowding(s, slot, tile.data());
+        load_crowding(s.parameters.water.density, s.grid, s.rigid, s.unknown_fill, slot, tile.data());
         for (std::size_t p = water.begin[slot]; p < water.begin[slot + 1]; ++p) {
             for_each_node<D, double>(local_position(water, p), [&](int node, double w, const auto&) {
-                crowding[p] += w * tile[static_cast<std::size_t>(node)][mass_lane];
+                crowding[p] += w * tile[static_cast<std::size_t>(node)][crowding_lane];
             });
         }
     }
@@ -64,7 +65,7 @@ TEST_CASE("crowded water gets less volume, until both agree") {
     auto s = make_simulation<2, double>(start);
     for (double& j : s.bodies[0].j) j = 0.02;
     s.parameters.water.tension = WaterTension::separate;  // stretched, so that nothing moves
-    const double rate = crowding_rate(s.parameters, 0.05, 1e-3);
+    const double rate = crowding_rate(s.parameters.water, s.parameters.gravity, 0.05, 1e-3);
     CHECK(rate == doctest::Approx(1e-3 * std::sqrt(1e-3 / 0.05)));
     advance(s, 1e-3);
     for (int n = 0; n < 10; ++n) advance(s, 1e-3);
@@ -181,12 +182,13 @@ TEST_CASE_TEMPLATE("a rigid body fills its room, also at walls", Dimension, std:
 TEST_CASE("the scheme of the paper and water without gravity do without it") {
     auto start = tank<2>();
     start.parameters.gravity = 0.0;
-    CHECK(crowding_rate(start.parameters, 0.05, 1e-3) == 0.0);
+    CHECK(crowding_rate(start.parameters.water, start.parameters.gravity, 0.05, 1e-3) == 0.0);
     start.parameters.gravity = 9.81;
-    CHECK(crowding_rate(start.parameters, 0.05, 1e-3) == doctest::Approx(1e-3 / std::sqrt(0.05 / 9.81)));
-    CHECK(crowding_rate(start.parameters, 0.05, 1.0) == greatest_rate);
+    CHECK(crowding_rate(start.parameters.water, start.parameters.gravity, 0.05, 1e-3) ==
+          doctest::Approx(1e-3 / std::sqrt(0.05 / 9.81)));
+    CHECK(crowding_rate(start.parameters.water, start.parameters.gravity, 0.05, 1.0) == max_crowding_rate);
     start.parameters.water.scheme = WaterScheme::paper;
-    CHECK(crowding_rate(start.parameters, 0.05, 1e-3) == 0.0);
+    CHECK(crowding_rate(start.parameters.water, start.parameters.gravity, 0.05, 1e-3) == 0.0);
 }
 
 TEST_CASE("disordered water comes to rest and its own pressures agree with its depth") {

@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("in free flight the restored transfer keeps momentum and angu
     const auto after = test::momenta_of(s);
     CHECK((after.linear - before.linear).norm() < 1e-12 * before.linear.norm());
     CHECK((after.angular - before.angular).norm() < 1e-12 * before.linear.norm());
-    CHECK(s.wall_impulse.norm() < 1e-12 * before.linear.norm());
+    CHECK(s.accounts.wall_impulse.norm() < 1e-12 * before.linear.norm());
 }
 
 TEST_CASE("between walls the restored transfer's momentum is accounted for, and the tank stays at rest") {
@@ -82,8 +82,8 @@ TEST_CASE("between walls the restored transfer's momentum is accounted for, and 
     auto s = make_simulation<2, double>(start);
     for (int n = 0; n < 1000; ++n) advance(s, stable_time_step(s));
     const auto ledger = take_ledger(s);
-    Vector<2, double> residual = ledger.momentum - s.wall_impulse;
-    residual[1] -= s.gravity_impulse;
-    CHECK(residual.norm() < 1e-11 * std::abs(s.gravity_impulse));
+    Vector<2, double> residual = ledger.momentum - s.accounts.wall_impulse;
+    residual[1] -= s.accounts.gravity_impulse;
+    CHECK(residual.norm() < 1e-11 * std::abs(s.accounts.gravity_impulse));
     CHECK(s.speeds.particle < 0.02);
 }

@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("a slab without stress settles under its weight, unbroken, an
     CHECK(s.step == 0);
     CHECK(s.dt == 0.0);
     CHECK(take_ledger(s).momentum.isZero());
-    CHECK(s.wall_impulse.isZero());
+    CHECK(s.accounts.wall_impulse.isZero());
     // σzz = −ρ g h, h = 10.5 m above the layer.
     CHECK(mean_vertical_stress_at_base(s) == doctest::Approx(-900.0 * 9.81 * 10.5).epsilon(0.02));
 }

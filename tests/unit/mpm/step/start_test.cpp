@@ -1,4 +1,5 @@
 #include "mpm/step/start.h"
+#include "mpm/step/step.h"
 
 #include <doctest/doctest.h>
 

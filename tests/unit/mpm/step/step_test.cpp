@@ -1,4 +1,4 @@
-#include "mpm/state/simulation.h"
+#include "mpm/step/step.h"
 
 #include <doctest/doctest.h>
 
@@ -8,9 +8,9 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "mpm/state/ledger.h"
 #include "mpm/particles/motion.h"
 #include "mpm/readings/pressure.h"
+#include "mpm/state/ledger.h"
 #include "support/box.h"
 #include "support/mixed_tank.h"
 
@@ -46,9 +46,9 @@ TEST_CASE_TEMPLATE("mass is exact and the momentum ledger closes to rounding", D
     for (int n = 0; n < 400; ++n) advance(s, stable_time_step(s));
     const auto ledger = take_ledger(s);
     CHECK(ledger.mass == doctest::Approx(mass).epsilon(1e-13));
-    Vector<D, double> residual = ledger.momentum - s.wall_impulse;
-    residual[D - 1] -= s.gravity_impulse;
-    CHECK(residual.norm() < 1e-11 * std::abs(s.gravity_impulse));
+    Vector<D, double> residual = ledger.momentum - s.accounts.wall_impulse;
+    residual[D - 1] -= s.accounts.gravity_impulse;
+    CHECK(residual.norm() < 1e-11 * std::abs(s.accounts.gravity_impulse));
 }
 
 TEST_CASE("the energy of a falling block and its water never exceeds its start") {
@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE("no particle's motion, its affine part counted, exceeds that 
     }
     const auto s = make_simulation<D, typename Engine::Real>(start);
     for (const auto& particles : s.bodies) {
-        const double motion = greatest_motion(s.grid, particles);
+        const double motion = max_motion(s.grid, particles);
         CHECK(motion > 0.1);
         CHECK(motion <= s.speeds.particle);
     }

@@ -1,26 +1,27 @@
-#include "mpm/step/outflow.h"
+#include "mpm/step/take_out.h"
 
 #include <algorithm>
 #include <span>
 
-#include "mpm/state/ledger.h"
+#include "mpm/base/instantiate.h"
 #include "mpm/particles/motion.h"
+#include "mpm/state/ledger.h"
 
 namespace tidewater::mpm {
 namespace {
 
 // The particles `gone` are of block `slot`.
 template <int D, class Real>
-void account(Simulation<D, Real>& s, const Particles<D, Real>& particles, std::size_t slot,
-             std::span<const std::size_t> gone) {
-    const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
+void account(const Parameters<D>& parameters, const Grid<D, Real>& grid, const Particles<D, Real>& particles,
+             std::size_t slot, std::span<const std::size_t> gone, Outflow<D>& outflow) {
+    const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
     Tile<D, Real> tile;
-    load_velocities(s.grid, slot, tile.data());
+    load_velocities(grid, slot, tile.data());
     for (const std::size_t p : gone) {
-        const Ledger<D> part = particle_ledger(s, particles, block, p, tile);
-        s.outflow.mass += part.mass;
-        s.outflow.momentum += part.momentum;
-        s.outflow.energy += part.kinetic + part.gravitational + part.elastic;
+        const Ledger<D> part = particle_ledger(parameters, grid.layout, particles, block, p, tile);
+        outflow.mass += part.mass;
+        outflow.momentum += part.momentum;
+        outflow.energy += part.kinetic + part.gravitational + part.elastic;
     }
 }
 
@@ -48,22 +49,21 @@ void remove_particles(const std::vector<std::size_t>& gone, Particles<D, Real>& 
 }  // namespace
 
 template <int D, class Real>
-void let_out(const std::vector<std::size_t>& gone, Particles<D, Real>& body, Simulation<D, Real>& s) {
+void take_out(const std::vector<std::size_t>& gone, const Parameters<D>& parameters,
+              const Grid<D, Real>& grid, Particles<D, Real>& body, Outflow<D>& outflow) {
     if (gone.empty()) return;
     auto first = gone.begin();
-    for (std::size_t slot = 0; slot < s.grid.particle_blocks.size(); ++slot) {
+    for (std::size_t slot = 0; slot < grid.particle_blocks.size(); ++slot) {
         const auto last = std::lower_bound(first, gone.end(), std::size_t{body.begin[slot + 1]});
-        if (first != last) account(s, body, slot, std::span(first, last));
+        if (first != last) account(parameters, grid, body, slot, std::span(first, last), outflow);
         first = last;
     }
     remove_particles(gone, body);
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real) \
-    template void let_out(const std::vector<std::size_t>&, Particles<D, Real>&, Simulation<D, Real>&);
-TIDEWATER_INSTANTIATE(2, float)
-TIDEWATER_INSTANTIATE(2, double)
-TIDEWATER_INSTANTIATE(3, float)
-TIDEWATER_INSTANTIATE(3, double)
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                  \
+    template void take_out(const std::vector<std::size_t>&, const Parameters<D>&, const Grid<D, Real>&, \
+                           Particles<D, Real>&, Outflow<D>&);
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

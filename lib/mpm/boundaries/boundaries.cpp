@@ -1,0 +1,47 @@
+#include "mpm/boundaries/boundaries.h"
+
+#include "mpm/base/instantiate.h"
+
+namespace tidewater::mpm {
+
+template <int D>
+Mirrors<D> mirrors_of(const Boundaries<D>& boundaries) {
+    const bool replaced = replaces_left_wall(boundaries);
+    Mirrors<D> mirrors{};
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (axis == 0 && side == 0 && replaced) continue;
+            const WallRule rule = boundaries.walls[axis][side];
+            if (rule == WallRule::slip) mirrors[axis][side] = Mirror::slip;
+            if (rule == WallRule::stick) mirrors[axis][side] = Mirror::stick;
+        }
+    }
+    return mirrors;
+}
+
+template <int D, class Real>
+WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D>& acting,
+                               const Index<D>& block, Node<Real>* nodes) {
+    WallAction<D> all;
+    const auto apply = [&](const auto& boundary) {
+        const auto here = boundary.on(block);
+        if (!here) return;
+        WallAction<D> action;
+        action.impulse = change_nodes<D, Real>(
+            layout, block, nodes,
+            [&](const Index<D>& node, Node<Real>& velocity) { here->act(node, velocity, action); });
+        if constexpr (requires { boundary.account(action); }) boundary.account(action);
+        all.add(action);
+    };
+    std::apply([&](const auto&... boundary) { (apply(boundary), ...); }, acting);
+    return all;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                                                             \
+    template WallAction<D> apply_boundaries<D, Real>(const Layout<D>&, const ActingBoundaries<D>&, \
+                                                     const Index<D>&, Node<Real>*);
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
+template Mirrors<2> mirrors_of(const Boundaries<2>&);
+template Mirrors<3> mirrors_of(const Boundaries<3>&);
+
+}  // namespace tidewater::mpm

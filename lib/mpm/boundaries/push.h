@@ -1,0 +1,61 @@
+// A plane that starts from the left wall at time 0 and pushes.
+//
+// Nodes behind it and the next one before it move along x at least as fast as it does; it holds nothing back.
+// It takes the place of the left wall. Its speed rises as
+//
+//     v(t) = speed (1 − cos(πt/ramp))/2      for 0 < t < ramp, then v = speed
+//
+// Test: tests/unit/mpm/boundaries/boundaries_test.cpp.
+#pragma once
+
+#include "mpm/boundaries/wall.h"
+
+namespace tidewater::mpm {
+
+struct Push {
+    double speed = 0.0;  // m/s; 0: no plane
+    double ramp = 0.0;   // s
+
+    bool exists() const { return speed != 0.0; }
+    double velocity(double time) const;  // m/s; 0 before time 0
+    double position(double time) const;  // m
+
+    template <int D>
+    struct Acting {
+        const Layout<D>& layout;
+        bool exists;
+        int last = 0;           // nodes up to this number along x are pushed
+        double velocity = 0.0;  // m/s
+
+        const Acting* on(const Index<D>& block) const {
+            return exists && layout.first_node(block[0]) <= last ? this : nullptr;
+        }
+        template <class Real>
+        void act(const Index<D>& node, Node<Real>& of, WallAction<D>& action) const {
+            if (node[0] > last) return;
+            const auto pushed = std::max(of[0], static_cast<Real>(velocity));
+            const auto gain = static_cast<double>(pushed - of[0]);
+            action.work += static_cast<double>(of[mass_lane]) * gain * velocity;
+            of[0] = pushed;
+        }
+    };
+    template <int D>
+    Acting<D> acting(const Layout<D>& layout, const BoundaryStep& step) const {
+        // One node further than the plane: else what it pushes coasts between two nodes.
+        return {layout, exists(),
+                node_at_or_before(step.time ? position(*step.time) : 0.0, layout.cell_size) + 1,
+                step.time ? velocity(*step.time) : 0.0};
+    }
+
+    bool replaces_left_wall() const { return exists(); }
+    template <int D>
+    bool hides_fill(const Layout<D>&) const {
+        return exists();
+    }
+    template <int D>
+    bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const {
+        return exists() && node[0] <= position(time) / layout.cell_size + 2.0;
+    }
+};
+
+}  // namespace tidewater::mpm

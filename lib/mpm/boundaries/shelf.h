@@ -1,0 +1,63 @@
+// A shelf: ground without friction that fills the box from the left wall to x = end and from the bottom to
+// z = top (in 3D for all y).
+//
+// Its top follows `rule`; its front face always lets go. Edges lie on cell edges. Of the two faces the nearer
+// one acts, both at the edge, where the top holds only what presses down on it. A shelf that retreats draws
+// its front back under what lies on it, cell by cell, and leaves water or nothing behind. Test:
+// tests/unit/mpm/boundaries/boundaries_test.cpp.
+#pragma once
+
+#include "mpm/boundaries/wall.h"
+
+namespace tidewater::mpm {
+
+struct Shelf {
+    double end = 0.0, top = 0.0;  // m, at time 0; end 0: no shelf
+    WallRule rule = WallRule::separate;
+    double retreat = 0.0;  // m/s, of the end from time 0 on, towards the left wall
+
+    bool exists() const { return end > 0.0; }
+    double end_at(double time) const { return end - retreat * std::max(time, 0.0); }  // m
+
+    template <int D>
+    struct Acting {
+        const Layout<D>& layout;
+        WallRule rule;
+        bool exists;
+        int last = 0, top = 0;  // nodes up to both numbers, along x and upward, lie in the shelf
+
+        const Acting* on(const Index<D>& block) const {
+            const bool inside =
+                exists && layout.first_node(block[0]) <= last && layout.first_node(block[D - 1]) <= top;
+            return inside ? this : nullptr;
+        }
+        template <class Real>
+        void act(const Index<D>& node, Node<Real>& velocity, WallAction<D>&) const {
+            const int below_top = top - node[D - 1], behind_front = last - node[0];
+            if (below_top < 0 || behind_front < 0) return;
+            if (below_top <= behind_front) {
+                const bool edge = below_top == behind_front;
+                apply_rule<D>(edge ? WallRule::separate : rule, D - 1, -1, velocity);
+            }
+            if (behind_front <= below_top) apply_rule<D>(WallRule::separate, 0, -1, velocity);
+        }
+    };
+    template <int D>
+    Acting<D> acting(const Layout<D>& layout, const BoundaryStep& step) const {
+        return {layout, rule, exists(), node_at_or_before(end_at(step.time.value_or(0.0)), layout.cell_size),
+                node_at_or_before(top, layout.cell_size)};
+    }
+
+    bool replaces_left_wall() const { return false; }
+    template <int D>
+    bool hides_fill(const Layout<D>&) const {
+        return exists();
+    }
+    template <int D>
+    bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const {
+        const auto cells = [&](double x) { return x / layout.cell_size + 1.0; };
+        return exists() && node[0] <= cells(end_at(time)) && node[D - 1] <= cells(top);
+    }
+};
+
+}  // namespace tidewater::mpm

@@ -1,0 +1,98 @@
+#include "mpm/step/pass.h"
+
+#include <algorithm>
+
+#include "mpm/base/instantiate.h"
+#include "mpm/particles/motion.h"
+#include "mpm/particles/transfer_batch.h"
+#include "mpm/step/crowding.h"
+#include "mpm/step/failures.h"
+
+namespace tidewater::mpm {
+namespace {
+
+// One batch after the other; kernel.update(first, count, batch) advances strains and turns the batch's
+// velocities and gradients into momenta and their gradients.
+template <int D, class Real, class Kernel>
+void pass_particles(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
+                    Strips<D, Real>& to, Particles<D, Real>& particles, Kernel& kernel) {
+    TransferBatch<D, Real> batch;
+    const auto mass = static_cast<Real>(particles.mass);
+    for_each_batch(particles, slot, [&](std::size_t first, int count, Column<Stored<Real>>* position) {
+        locate<D, Real>(position, batch.stencil);
+        gather_batch<D, Real>(from->data(), batch);
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            advance_positions(batch.vector[axis], context.cells_per_speed, context.shift, position[axis]);
+            store_column(position[axis], count, particles.position[axis].data() + first);
+        }
+        kernel.update(first, count, batch);
+        locate<D, Real>(position, batch.stencil);
+        scatter_batch<D, Real>(mass, count, batch, to);
+    });
+}
+
+}  // namespace
+
+template <int D, class Real>
+PassContext<D, Real>::PassContext(const Interval& interval, const Parameters<D>& parameters, double cell_size)
+    : cells_per_speed(static_cast<Real>(interval.dt / cell_size)),
+      shift(static_cast<Real>(rounding_shift(interval.step))),
+      materials(parameters, cell_size, interval) {}
+
+template <int D, class Real>
+PassResult<D> pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
+                              Grid<D, Real>& grid, std::vector<Particles<D, Real>>& bodies) {
+    Strips<D, Real> strips{};
+    PassResult<D> result;
+    for (auto& particles : bodies) {
+        if (particles.begin[slot] == particles.begin[slot + 1]) continue;
+        with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
+            typename M::Kernel kernel{particles, context.materials.template step<M>()};
+            pass_particles(context, slot, from, strips, particles, kernel);
+            result.findings.add(kernel.findings());
+        });
+    }
+    Node<Real>* to = grid.tile(slot);
+    sum_strips<D, Real>(strips, to->data());
+    std::fill(to + Block<D>::tile_nodes, to + Block<D>::tile_size, Node<Real>::Zero());
+    const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
+    result.impulse = fold<D, Real>(grid.layout, block, Parity::velocity, to);
+    return result;
+}
+
+template <int D, class Real>
+Findings pass_over_blocks(const Interval& interval, const Parameters<D>& parameters, const Slots& slots,
+                          const std::vector<RigidBody>& rigid, const std::vector<std::uint8_t>& unknown_fill,
+                          Grid<D, Real>& grid, std::vector<Particles<D, Real>>& bodies,
+                          Vector<D, double>& wall_impulse) {
+    const PassContext<D, Real> context(interval, parameters, grid.layout.cell_size);
+    const bool crowding = context.materials.reads_crowding();
+    std::vector<PassResult<D>> results(slots.size());
+    parallel_for(slots.size(), [&](std::size_t n) {
+        const std::size_t slot = slots[n];
+        alignas(64) Tile<D, Real> tile;
+        load_velocities(grid, slot, tile.data());
+        if (crowding && has_water(bodies, slot))
+            load_crowding(parameters.water.density, grid, rigid, unknown_fill, slot, tile.data());
+        results[n] = pass_over_block(context, slot, tile.data(), grid, bodies);
+    });
+    Findings findings;
+    for (const PassResult<D>& result : results) {
+        findings.add(result.findings);
+        wall_impulse += result.impulse;
+    }
+    if (findings.unusable || !(findings.min_j > -1.0)) fail_at_bad_particle(interval, parameters, bodies);
+    return findings;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                  \
+    template struct PassContext<D, Real>;                                                               \
+    template PassResult<D> pass_over_block(const PassContext<D, Real>&, std::size_t, const Node<Real>*, \
+                                           Grid<D, Real>&, std::vector<Particles<D, Real>>&);           \
+    template Findings pass_over_blocks(const Interval&, const Parameters<D>&, const Slots&,             \
+                                       const std::vector<RigidBody>&, const std::vector<std::uint8_t>&, \
+                                       Grid<D, Real>&, std::vector<Particles<D, Real>>&,                \
+                                       Vector<D, double>&);
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
+
+}  // namespace tidewater::mpm

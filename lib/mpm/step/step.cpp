@@ -1,0 +1,129 @@
+#include "mpm/step/step.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "mpm/base/instantiate.h"
+#include "mpm/step/blocks.h"
+#include "mpm/step/contact.h"
+#include "mpm/step/failures.h"
+#include "mpm/step/nodes.h"
+#include "mpm/step/pass.h"
+#include "mpm/step/restore.h"
+#include "mpm/step/sort.h"
+
+namespace tidewater::mpm {
+namespace {
+
+// Adds the time since the last call to a phase.
+class PhaseClock {
+public:
+    explicit PhaseClock(PhaseSeconds& seconds) : seconds_(seconds) {}
+    void charge(Phase phase) {
+        const auto now = Clock::now();
+        seconds_[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    PhaseSeconds& seconds_;
+    Clock::time_point last_ = Clock::now();
+};
+
+// Books what the boundaries did, block by block in order; returns max. |v| of the nodes, m/s.
+template <int D, class Real>
+double book_boundaries(const Interval& interval, const Simulation<D, Real>& s,
+                       const std::vector<NodeResult<D>>& results, const Slots& slots, Accounts<D>& accounts) {
+    double max2 = 0.0;
+    for (std::size_t n = 0; n < results.size(); ++n) {
+        if (!std::isfinite(results[n].max_speed2))
+            fail_at_bad_node(interval, s.parameters, s.grid, s.bodies, slots[n]);
+        max2 = std::max(max2, results[n].max_speed2);
+        accounts.wall_impulse += results[n].action.impulse;
+        accounts.boundary_work += results[n].action.work;
+    }
+    return std::sqrt(max2);
+}
+
+template <int D, class Real>
+void book_gravity(const Simulation<D, Real>& s, double next_dt, double& gravity_impulse) {
+    for (const auto& particles : s.bodies) {
+        gravity_impulse -=
+            particles.mass * static_cast<double>(particles.size()) * s.parameters.gravity * next_dt;
+    }
+    for (const RigidBody& body : s.rigid) gravity_impulse -= body.mass * s.parameters.gravity * next_dt;
+}
+
+}  // namespace
+
+template <int D, class Real>
+void advance(Simulation<D, Real>& s, double next_dt) {
+    const Interval interval = s.interval(next_dt);
+    const Boundaries<D>& boundaries = s.parameters.boundaries;
+    Vector<D, double>& wall_impulse = s.accounts.wall_impulse;
+    PhaseClock clock(s.seconds);
+
+    sort_if_needed(interval, s.parameters, s.speeds.particle, s.grid, s.bodies, s.unknown_fill, s.drift,
+                   s.skimming, s.accounts.outflow);
+    clock.charge(Phase::sort);
+
+    const StepBlocks blocks = all_blocks(s.grid);  // several rates: the blocks that are due
+    const Findings findings = pass_over_blocks(interval, s.parameters, blocks.particles, s.rigid,
+                                               s.unknown_fill, s.grid, s.bodies, wall_impulse);
+    s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings);
+    if (!interval.settling) {
+        for (RigidBody& body : s.rigid) move_rigid_body(interval.dt, body);  // the pass knew where they were
+    }
+    clock.charge(Phase::pass);
+
+    // Several machines: here tiles of the neighbours' particles arrive, in the places that the grid has for
+    // them.
+
+    const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
+    const auto acting =
+        acting_boundaries(s.grid.layout, boundaries, boundary_step(boundaries, interval, next_dt));
+    std::vector<NodeResult<D>> results(blocks.nodes.size());
+    const auto bound_all = [&](const ActingBoundaries<D>& by) {
+        parallel_for(blocks.nodes.size(),
+                     [&](std::size_t n) { results[n] = bound_velocities(by, blocks.nodes[n], s.grid); });
+    };
+    ContactStep contact{
+        .dt = next_dt, .falling = next_dt, .gravity = s.parameters.gravity, .held = interval.settling};
+    if (s.rigid.empty()) {  // both stages of a block while it is in the cache
+        parallel_for(blocks.nodes.size(), [&](std::size_t n) {
+            sum_momenta(kick, blocks.nodes[n], s.grid);
+            results[n] = bound_velocities(acting, blocks.nodes[n], s.grid);
+        });
+    } else {
+        for_each_slot(blocks.nodes, [&](std::size_t slot) { sum_momenta(kick, slot, s.grid); });
+        clock.charge(Phase::grid);
+        resolve_contacts(contact, boundaries, s.grid, s.rigid, wall_impulse);
+        clock.charge(Phase::rigid);
+        bound_all(acting);
+    }
+    s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
+
+    if (s.parameters.transfer == Transfer::restored) {
+        restore_velocities(s.bodies, s.grid, wall_impulse);
+        contact.falling = 0.0;
+        resolve_contacts(contact, boundaries, s.grid, s.rigid, wall_impulse);
+        bound_all(acting_boundaries(s.grid.layout, boundaries, boundary_step(boundaries, interval, 0.0)));
+        s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
+    }
+
+    add_unfolding_impulse(blocks.particles, s.grid, wall_impulse);
+    book_gravity(s, next_dt, s.accounts.gravity_impulse);
+    for (const RigidBody& body : s.rigid) s.speeds.particle = std::max(s.speeds.particle, max_speed(body));
+    clock.charge(Phase::grid);
+
+    s.time += s.dt;
+    s.dt = next_dt;
+    ++s.step;
+}
+
+#define TIDEWATER_INSTANTIATE(D, Real) template void advance(Simulation<D, Real>&, double);
+TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
+
+}  // namespace tidewater::mpm

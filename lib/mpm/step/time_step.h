@@ -1,0 +1,23 @@
+// How long the next step may be.
+//
+//     Δt = cfl Δx / (c + v)            c: max. sound speed of all materials, v: max. speed of nodes and
+//     bodies v Δt + g Δt² ≤ 0.4 Δx            so that what moves and falls stays within the sorting margin
+//
+// An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D (shared/physics.md §4).
+#pragma once
+
+#include "mpm/materials/material.h"
+#include "mpm/state/simulation.h"
+
+namespace tidewater::mpm {
+
+// The longest stable step now, s. Infinite only without gravity, sound and motion.
+template <int D, class Real>
+double stable_time_step(const Simulation<D, Real>& simulation);
+
+// The greatest sound speed of the materials of these bodies, m/s.
+template <int D, class Real>
+double max_sound_speed(const Parameters<D>& parameters, const std::vector<Particles<D, Real>>& bodies,
+                       const Findings& findings);
+
+}  // namespace tidewater::mpm
