@@ -4,7 +4,7 @@
 // A rule (mpm/wall.h) acts on the grid nodes on the wall's plane and beyond it. Just beyond a wall of the box
 // that slips or sticks, velocities mirror those inside (mpm/mirror.h), so that particles near it move towards
 // the plane ever slower and do not pass it; beyond `separate` walls, shelf and push one can come half a cell.
-// Source: shared/physics.md §5. Test: tests/unit/mpm/boundary_test.cpp.
+// Source: lib/mpm/README.md, Boundaries. Test: tests/unit/mpm/boundary_test.cpp.
 #pragma once
 
 #include <array>

@@ -15,8 +15,9 @@
 //
 // Time step: Δt = cfl Δx / (greatest sound speed + greatest speed of a node), and at most so that what moves
 // and falls moves 0.4 cells. An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D
-// (shared/physics.md §4). Forces may make something faster within that step: advance refuses only what would
-// carry a particle beyond sorting_margin or turn its volume inside out (greatest_motion in mpm/motion.h).
+// (lib/mpm/README.md, Time step). Forces may make something faster within that step: advance refuses only
+// what would carry a particle beyond sorting_margin or turn its volume inside out (greatest_motion in
+// mpm/motion.h).
 #pragma once
 
 #include <array>
