@@ -1,5 +1,5 @@
-// Ice of the dense twin: shared/physics.md §2 written down once more, one particle at a time, with b itself
-// and the standard library's functions. Choices as documented in mpm/ice.h; no code of mpm/ice.cpp.
+// Ice of the dense twin: lib/mpm/README.md, Ice, written down once more, one particle at a time, with b
+// itself and the standard library's functions. Choices as documented in mpm/ice.h; no code of mpm/ice.cpp.
 #pragma once
 
 #include <algorithm>
