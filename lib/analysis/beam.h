@@ -16,7 +16,7 @@
 // it presses down again; of submerged ice n is that of D = H, 1 − ρw/ρi, however deep it is. `submerged`
 // gives that.
 //
-// Test: tests/unit/analysis/beam_test.cpp, against the table in shared/physics.md §2.
+// Table: lib/analysis/README.md, Beams and icebergs. Test: tests/unit/analysis/beam_test.cpp.
 #pragma once
 
 namespace tidewater::analysis {

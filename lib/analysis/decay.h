@@ -4,7 +4,7 @@
 //     ln a = ln A − n ln(r/D),
 // with n's 95 % interval n ± t s_n: s_n is its standard error and t Student's quantile of N − 2 degrees of
 // freedom (NaN of two gauges). Cylindrical spreading without loss gives n = 1/2, the 2D→3D transform's tail
-// 5/6 (shared/physics.md §6), a solitary wave in a flume 0.
+// 5/6 (radial_wave.h), a solitary wave in a flume 0.
 //
 // Run-up: the highest wet place over time is a record as any other; its greatest value counts.
 //

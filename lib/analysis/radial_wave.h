@@ -16,7 +16,7 @@
 // fitted within F 0.86–6.83, S 0.09–1.64, M 0.11–10.02, P 0.17–8.13. A block that falls or rises upright is
 // α = 90°, which gives the smallest P.
 //
-// Test: tests/unit/analysis/radial_wave_test.cpp, against the figures in shared/physics.md §6.
+// Figures: lib/analysis/README.md, Slides. Test: tests/unit/analysis/radial_wave_test.cpp.
 #pragma once
 
 #include <array>

@@ -36,7 +36,7 @@
 
 namespace tidewater::analysis {
 
-// Published exponents a of n(s) ∝ s^−a, as shared/scenes.md gives them.
+// Published exponents a of n(s) ∝ s^−a, lib/analysis/README.md, Sizes.
 inline constexpr double fragment_exponent_2d = 1.5;   // fragments of brittle ice, with a cut-off
 inline constexpr double fragment_exponent_3d = 1.67;  // likewise, of volumes
 inline constexpr double iceberg_area_exponent_low = 1.6, iceberg_area_exponent_high = 1.95;  // Sulak 2017

@@ -11,7 +11,7 @@
 //
 // The wave's amplitude in 2D is the highest leading crest at the gauges; its distance counts from that front.
 // Only what hangs together when it comes off counts: ice that falls as rubble makes a wave that these numbers
-// do not know of. The formulas are of blocks and slides in a laboratory; shared/physics.md §6.
+// do not know of. The formulas are of blocks and slides in a laboratory; lib/analysis/README.md, Slides.
 //
 // Test: tests/pipeline/icebergs_test.sh
 #pragma once

@@ -1,4 +1,4 @@
-// Ice of the dense twin: shared/physics.md §2 written down once more, one particle at a time, with b itself
+// Ice of the dense twin: lib/mpm/README.md, Ice, written down once more, one particle at a time, with b itself
 // and the standard library's functions. Choices as documented in mpm/materials/ice.h; no code of
 // mpm/materials/ice.cpp.
 #pragma once

@@ -1,5 +1,5 @@
 // The slow twin of the engine: one dense grid, double precision, one plain loop per equation of
-// shared/physics.md §1–§5. No blocks, no sorting, no threads; what it shares with lib/mpm is the scene's
+// lib/mpm/README.md. No blocks, no sorting, no threads; what it shares with lib/mpm is the scene's
 // Start and Eigen.
 #pragma once
 

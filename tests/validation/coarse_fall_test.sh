@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# coarse_fall_test.sh PROJECT BIN: what configs/lab_gravity_fall_coarse.toml must show (shared/physics.md §3, last row of the table).
+# coarse_fall_test.sh PROJECT BIN: what configs/lab_gravity_fall_coarse.toml must show (lib/analysis/README.md, Waves).
 source "$(dirname "$0")/../pipeline/assert.sh"
 project=$1
 bin=$2

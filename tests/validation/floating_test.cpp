@@ -59,9 +59,9 @@ TEST_CASE("a floating block has the draft of Archimedes") {
     CHECK(track.deepest < 0.8);
 }
 
-// Aim: 1.6 to 1.74 s (shared/physics.md §4: ±3 %). 40 cells to a metre give 1.83: what a step loses of the
-// flow within a cell or two of the block holds it back, the more the coarser the cells and the more steps
-// there are. 80 cells: long/floating_test.cpp.
+// Aim: 1.6 to 1.74 s (tests/validation/README.md, Floating blocks). 40 cells to a metre give 1.83: what a
+// step loses of the flow within a cell or two of the block holds it back, the more the coarser the cells and
+// the more steps there are. 80 cells: long/floating_test.cpp.
 TEST_CASE("a floating block heaves about as linear potential flow says") {
     const test::FirstHeave theory = test::linear_first_heave(4.0, 0.01);
     CHECK(theory.period > 1.6);

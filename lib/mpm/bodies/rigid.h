@@ -1,4 +1,4 @@
-// A rigid body: a box that moves as one (shared/physics.md §5).
+// A rigid body: a box that moves as one (lib/mpm/README.md, Bodies).
 //
 //     c ← c + Δt V,   R ← exp(Δt [ω]×) R,   L kept, ω ← I⁻¹ L with the turned I
 //     I = R diag(I₁, I₂, I₃) Rᵀ,   I₁ = (h₂² + h₃²) M/3 …,   with half edges h and mass M

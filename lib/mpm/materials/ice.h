@@ -14,7 +14,7 @@
 // works on the first `count` lanes, a multiple of `lanes` up to batch_size; its columns must not overlap.
 // Valid range of strains: |ε| ≤ 1e12 in float (I3 must be finite).
 //
-// Sources: Wolper et al. (2021), eqs. 2–4; shared/physics.md §1 and §2. Test: tests/unit/mpm/materials/ice_test.cpp.
+// Sources: Wolper et al. (2021), eqs. 2–4; lib/mpm/README.md, Ice. Test: tests/unit/mpm/materials/ice_test.cpp.
 #pragma once
 
 #include <array>

@@ -16,7 +16,7 @@
 // the paper. With ShearReturn::trace tr b is kept instead, as in the authors' code: p moves, and the result need
 // not lie on the surface.
 //
-// Sources: Wolper et al. (2021), eqs. 5 and 6; shared/physics.md §2.
+// Sources: Wolper et al. (2021), eqs. 5 and 6; lib/mpm/README.md, Ice.
 // Tests: tests/unit/mpm/materials/ice_yield_test.cpp and single_point_test.cpp.
 #pragma once
 

@@ -28,7 +28,7 @@
 // Near the critical state, p = p0 (1−β)/2, and in failed ice results depend on the step: the mapping uses the
 // surface of before the step, which may be off by κξ dε/2 in p0. Steps of p/(100 κξ) are short enough.
 //
-// Sources: Wolper et al. (2021), eqs. 2–6; shared/physics.md §2. Symbols as in ice.h and ice_yield.h.
+// Sources: Wolper et al. (2021), eqs. 2–6; lib/mpm/README.md, Ice. Symbols as in ice.h and ice_yield.h.
 // Test: tests/unit/mpm/materials/single_point_test.cpp.
 #pragma once
 

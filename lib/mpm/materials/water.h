@@ -6,7 +6,7 @@
 //     W(J) = κw ((J^(1−θ) − 1)/(θ − 1) + J − 1)     stored energy per volume at rest, J/m³;  p = −dW/dJ
 //
 // The state kept per particle is j = J − 1, and everything is evaluated with expm1 and log1p, so that `float`
-// keeps the digits of a strain of 1e-6. Source: shared/physics.md §3. Test: tests/unit/mpm/materials/water_test.cpp.
+// keeps the digits of a strain of 1e-6. Source: lib/mpm/README.md, Water. Test: tests/unit/mpm/materials/water_test.cpp.
 #pragma once
 
 #include <cmath>

@@ -8,7 +8,7 @@
 // Linear and angular momentum are conserved for any particle positions, with a particle's angular momentum
 // being m (x × v) + m (Δx²/4) ε:Cᵀ. This is the plain form, for starts and for looking at a state; the
 // steps of water and ice go through mpm/particles/transfer_batch.h. Sources: Jiang et al. (2015) for APIC, Hu et al.
-// (2018) for MLS-MPM; shared/physics.md §1. Test: tests/unit/mpm/particles/transfer_test.cpp.
+// (2018) for MLS-MPM; lib/mpm/README.md, Grid and transfer. Test: tests/unit/mpm/particles/transfer_test.cpp.
 #pragma once
 
 #include "mpm/grid/stencil.h"

@@ -10,7 +10,7 @@
 //
 // Energies in J (per metre of width in 2D). Kinetic energy counts what APIC keeps in C: ½ m (|v|² +
 // (Δx²/4)|C|²). Gravitational energy is m g z from z = 0. Sums in double, particle by particle within blocks,
-// blocks in order. Test: tests/unit/mpm/state/simulation_test.cpp.
+// blocks in order. Test: tests/unit/mpm/step/step_test.cpp.
 #pragma once
 
 #include "mpm/particles/motion.h"

@@ -29,7 +29,7 @@
 // nodes these are is found when particles are sorted; the marks reach a cell further, so they hold until the
 // next sort.
 //
-// Source: our own, of the family of volume corrections (shared/physics.md §3); measured against others in
+// Source: our own, of the family of volume corrections (lib/mpm/README.md, Water); measured against others in
 // tests/validation/README.md. Test: tests/unit/mpm/step/crowding_test.cpp.
 #pragma once
 

@@ -3,7 +3,7 @@
 //     Δt = cfl Δx / (c + v)            c: max. sound speed of all materials, v: max. speed of nodes and
 //     bodies v Δt + g Δt² ≤ 0.4 Δx            so that what moves and falls stays within the sorting margin
 //
-// An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D (shared/physics.md §4).
+// An isolated particle is stable for cfl < 0.71 in 2D and 0.58 in 3D (lib/mpm/README.md, Time step).
 #pragma once
 
 #include "mpm/materials/material.h"

@@ -34,7 +34,7 @@ TEST_CASE("F, S and M are those of the laboratory's gravity-dominated fall") {
     }
 }
 
-TEST_CASE("the ratios are those of shared/physics.md") {
+TEST_CASE("the ratios are those of the table in lib/analysis/README.md") {
     const auto& distances = laboratory_distances;
     const auto check = [&](const Slide& of, const auto& expected) {
         for (std::size_t i = 0; i < expected.size(); ++i) {

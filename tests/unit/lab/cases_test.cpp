@@ -72,7 +72,8 @@ TEST_CASE("the speed of long waves is that of the higher wave's way, else of the
 TEST_CASE("the wave in 3D follows from the simulated speed or from the laboratory's") {
     const test::TemporaryFolder folder;
     const Case c = read_case("GF=" + write_run(folder, "a").string());
-    CHECK(c.amplitude_3d(2.0, true) == doctest::Approx(0.15 * 0.192).epsilon(0.005));  // shared/physics.md
+    // 0.192: lib/analysis/README.md, Slides.
+    CHECK(c.amplitude_3d(2.0, true) == doctest::Approx(0.15 * 0.192).epsilon(0.005));
     CHECK(c.amplitude_3d(2.0) / c.amplitude_3d(2.0, true) ==
           doctest::Approx(std::pow(0.32 * 3.132 / 1.15, 0.4)).epsilon(1e-3));
     CHECK(c.slide().mass_ratio() == doctest::Approx(0.23));

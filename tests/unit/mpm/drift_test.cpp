@@ -1,4 +1,5 @@
-// Slow motion in `float`, far from the origin: shared/physics.md §1 asks for 0.1 % after a million steps.
+// Slow motion in `float`, far from the origin, to 0.1 % after a million steps.
+// Why that is asked for: lib/mpm/README.md, Grid and transfer.
 #include <doctest/doctest.h>
 
 #include <initializer_list>

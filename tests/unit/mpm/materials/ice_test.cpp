@@ -167,7 +167,7 @@ TEST_CASE("elastic ice reports inverted and infinite strains") {
     }
 }
 
-TEST_CASE("the uniaxial strength is that of the table in physics.md §2") {
+TEST_CASE("the uniaxial strength is that told in lib/mpm/README.md") {
     IceModel model;
     const struct { double beta, in_2d, in_3d; } rows[] = {{1.0, 0.375e6, 0.390e6}, {0.5, 0.537e6, 0.595e6}};
     for (const auto& row : rows) {

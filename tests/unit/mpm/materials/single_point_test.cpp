@@ -105,7 +105,7 @@ double least_increment_of_dissipation(const std::vector<PointRow>& rows) {
 
 }  // namespace
 
-TEST_CASE("the closed forms give the single-point table of shared/physics.md") {
+TEST_CASE("the closed forms give the table of strengths in lib/mpm/README.md") {
     for (const Row& row : rows_of_table) {
         const IceModel model = model_of(row);
         CAPTURE(row.beta);
@@ -250,7 +250,7 @@ TEST_CASE_TEMPLATE("the return never raises the stored energy, whatever the rule
 }
 
 TEST_CASE("the trace rule moves the pressure, the pressure rule keeps it") {
-    // p before and after, kPa: shared/physics.md §2. Any ice fits whose q_new is far below q.
+    // p before and after, kPa: lib/mpm/README.md, Ice. Any ice fits whose q_new is far below q.
     struct Mapping {
         double along, across, before, trace;
     };
