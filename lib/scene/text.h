@@ -1,6 +1,7 @@
 // Small pieces of text that messages and printed scenes are made of.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 // The candidate nearest to `word`, a candidate's last part ("depth" of "water.depth") counting as well as the
 // whole. Empty if none is near enough to be what was meant.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+// The name of a key without the number of its section, and that number if there is one: "block.size" and 2
+// for "block.2.size".
+struct NumberedName {
+    std::string name;
+    std::optional<std::size_t> number;
+};
+NumberedName split_number(const std::string& name);
 
 // The file's path in the value of a key, and what stands before and behind it: "NETCDF:" and ":variable".
 struct FilePart {
