@@ -1,4 +1,4 @@
-// The keys that belong to no effect, and those of one that only later stages read.
+// The parts of the table of keys that do not come from an effect.
 #pragma once
 
 #include <span>

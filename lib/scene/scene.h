@@ -124,7 +124,7 @@ struct Scene {
         double picture_speed = 0.0;         // m/s; 0: the maximum of the run
         IceColors picture_ice = IceColors::damage;
         std::vector<double> picture_window;  // m, (x0, z0, x1, z1); empty: the whole tank
-        int decimation = 1;                  // of so many particles ParaView gets one; 0: none
+        int decimation = 1;                  // 1 in so many particles goes to ParaView; 0: none
         bool surfaces = true;
         double arrival_threshold = 0.05;      // share of the maximum amplitude at the gauge
         double iceberg_damage = 0.5;          // share of its strength that failed ice has lost
@@ -138,30 +138,30 @@ struct Scene {
     bool has(std::string_view effect) const;
 };
 
-// "geometry", ...
+// "geometry", "simulate" or "postprocess".
 std::string_view stage_name(Stage stage);
 std::optional<Stage> stage_named(std::string_view name);
 
 // One --set option.
 struct Override {
     std::string key;    // "domain.cell_size"
-    std::string value;  // TOML; what is not TOML, like a bare word, is taken as text
+    std::string value;  // TOML; anything else, such as a bare word, is taken as text
 };
 
 // Splits "key=value". Throws SceneError if there is no '='.
 Override parse_override(std::string_view text);
 
-// Reads, applies the overrides (of two for one key the last counts), checks every key and the keys against
-// each other. Throws SceneError with one line per problem, all of them, each "file:line: key: what is wrong;
-// what to do"; InputError if the file cannot be read.
+// Reads a scene, applies the overrides, and checks every key and the keys against each other. If two
+// overrides set one key, the last counts. Throws SceneError with all problems, one line for each: "file:line:
+// key: what is wrong; what to do". Throws InputError if the file cannot be read.
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-// In 2D bodies reach four cells to each side of y = 0, so that a level set's band in that plane knows of no
-// end in y.
+// Bodies of a 2D scene reach so many cells to each side of y = 0. This keeps the ends in y outside the band
+// of a level set that is cut by that plane.
 inline constexpr double plane_half_width = 4.0;
 
-// The box with this centre and these edges, vectors of the scene's dimension in m; turned by `degrees` from x
-// towards z.
+// The box with this centre and these edges, given as vectors of the scene's dimension in m, and turned by
+// `degrees` from x towards z.
 geometry::Box make_box(const Scene& scene, const std::vector<double>& center, const std::vector<double>& size,
                        double degrees = 0.0);
 
@@ -171,25 +171,25 @@ double particle_spacing(const Scene& scene);
 // What is allowed but probably not meant, one line each.
 std::vector<std::string> scene_warnings(const Scene& scene);
 
-// The scene as TOML: every key of its effects with its value, unit and help as comments. Reads back to the
-// same Scene, and to the same text.
+// The scene as TOML: every key of its effects with its value, and with unit and help as comments. It reads
+// back to the same Scene and to the same text.
 std::string resolved_text(const Scene& scene);
 
-// The lines of resolved_text that `stage` reads, without comments and without keys that change no result:
-// what has to change for the stage to run again. Every stage reads what the stages before it do not already
-// decide for it.
+// The lines of resolved_text that `stage` reads, without comments and without keys that change no result. The
+// stage has to run again if they change. A stage does not read what the stages before it have decided for it.
 std::string stage_part(const Scene& scene, Stage stage);
 
-// Fingerprint of all keys that change the results of `stage` or of a stage before it, for provenance: results
-// keep their bytes when a key changes that only later stages read.
+// A fingerprint of all keys that change the results of `stage` or of a stage before it, for provenance.
+// Results keep their bytes when only keys change that later stages read.
 std::string scene_hash(const Scene& scene, Stage stage);
 
 // The lines of resolved_text with these keys, without comments: what a result that depends on them was made
-// with. A name ending in a dot stands for all keys of that section. Keys that do not apply to the scene, or
-// change no result, are left out. Throws std::invalid_argument if a name is no key's and no section's.
+// with. A name that ends in a dot stands for all keys of that section. Keys that do not apply to the scene or
+// change no result are left out. Throws std::invalid_argument for a name that is neither a key's nor a
+// section's.
 std::string values_of(const Scene& scene, std::span<const std::string_view> names);
 
-// The reference of all keys: name, type, unit, default, valid range, effect, stages, help.
+// The reference of all keys, each with its type, unit, default, range, effect, stages and help.
 std::string key_reference();
 
 }  // namespace tidewater::scene

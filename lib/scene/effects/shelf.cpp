@@ -42,7 +42,7 @@ constexpr std::array keys{
         .help = "speed at which its end moves back under the ice"},
 };
 
-// Its faces lie on cell edges within the tank.
+// The faces of a shelf lie on cell edges within the tank.
 void check_face(Reading& reading, const char* key, double length, std::size_t axis) {
     if (!reading.usable({key})) return;
     const Scene& scene = reading.scene;
