@@ -1,9 +1,9 @@
 #include "scene/keys.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
+#include "scene/effects/effects.h"
 #include "scene/keys_parts.h"
 
 namespace tidewater::scene {
@@ -11,8 +11,13 @@ namespace tidewater::scene {
 std::span<const Key> all_keys() {
     static const std::vector<Key> keys = [] {
         std::vector<Key> all;
-        for (const auto part : {tank_keys(), glacier_keys(), run_keys(), postprocess_keys()})
+        const auto append = [&](std::span<const Key> part) {
             all.insert(all.end(), part.begin(), part.end());
+        };
+        append(scene_keys());
+        for (const Effect* effect : all_effects()) append(effect->keys);
+        append(simulate_keys());
+        append(postprocess_keys());
         return all;
     }();
     return keys;
@@ -24,11 +29,16 @@ const Key* find_key(std::string_view name) {
     return found == keys.end() ? nullptr : &*found;
 }
 
-std::span<const std::string> known_effects() {
-    static const std::array<std::string, 17> effects{
-        "water", "wave",  "rigid", "ice",  "fracture", "cliff",  "undercut", "crevasses", "cracks",
-        "dem",   "shelf", "bed",   "push", "piston",   "outlet", "sponge",   "settle"};
-    return effects;
+std::span<const std::string> repeated_sections() {
+    static const std::vector<std::string> sections = [] {
+        std::vector<std::string> all;
+        for (const Key& key : all_keys()) {
+            if (key.repeated() && std::ranges::count(all, key.section()) == 0)
+                all.emplace_back(key.section());
+        }
+        return all;
+    }();
+    return sections;
 }
 
 std::string_view Key::section() const {
@@ -38,9 +48,9 @@ std::string_view Key::section() const {
 
 std::string_view Key::last_name() const { return name.substr(name.rfind('.') + 1); }
 
-bool Key::repeated() const { return section() == "block"; }
+bool Key::repeated() const { return member.count != nullptr; }
 
-std::size_t Key::count(const Scene& scene) const { return repeated() ? scene.blocks.size() : 1; }
+std::size_t Key::count(const Scene& scene) const { return repeated() ? member.count(scene) : 1; }
 
 std::string Key::name_of(std::size_t item, const Scene& scene) const {
     if (count(scene) == 1) return std::string(name);

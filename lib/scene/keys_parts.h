@@ -1,19 +1,14 @@
-// The parts of the table of keys, in the order in which they are printed.
+// The parts of the table of keys that do not come from an effect.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "scene/keys.h"
 
 namespace tidewater::scene {
 
-inline constexpr Range positive{.least = 0.0, .open = true};
-inline constexpr Range not_negative{.least = 0.0};
-
-std::span<const Key> tank_keys();
-std::span<const Key> glacier_keys();
-std::span<const Key> run_keys();
+std::span<const Key> scene_keys();
+std::span<const Key> simulate_keys();
 std::span<const Key> postprocess_keys();
 
 }  // namespace tidewater::scene

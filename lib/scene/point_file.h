@@ -6,9 +6,9 @@
 
 namespace tidewater::scene {
 
-// x0, z0, x1, z1, … from a text of two columns, divided by blanks, tabs, commas or semicolons. Empty lines,
-// what follows a '#' and a first line of names are left out. Throws InputError: "file: cannot be read", or
-// "file:line: …" where a line has not two numbers.
+// Reads x0, z0, x1, z1, … from a text of two columns, which blanks, tabs, commas or semicolons divide. Leaves
+// out empty lines, comments from '#' on, and a first line of names. Throws InputError if the file cannot be
+// read or, with "file:line: …", if a line does not have two numbers.
 std::vector<double> read_point_file(const std::filesystem::path& path);
 
 }  // namespace tidewater::scene

@@ -11,7 +11,7 @@
 namespace tidewater::scene {
 namespace {
 
-// "m; the tank is the box ..." or what there is of it.
+// The unit, if there is one, and the help: "m; the tank is the box ...".
 std::string comment(const Key& key) {
     if (key.unit.empty()) return std::string(key.help);
     return std::string(key.unit) + "; " + std::string(key.help);
@@ -26,10 +26,9 @@ std::string stage_names(unsigned stages) {
     return names;
 }
 
-// A file by its name and what it holds, wherever it lies.
+// A file by its name and a hash of what it holds, so that its folder does not count.
 std::string file_line(const Key& key, const Scene& scene) {
-    const std::filesystem::path path =
-        file_part(std::get<Member<std::string>>(key.member).read(scene, 0)).path;
+    const std::filesystem::path path = file_part(std::get<std::string>(key.member.get(scene, 0))).path;
     std::error_code error;
     const bool there = std::filesystem::is_regular_file(path, error);
     return std::string(key.name) + " = " + quoted_text(path.filename().string()) +
@@ -51,7 +50,7 @@ std::string header(const Key& key, const Scene& scene) {
     return "\n" + (key.count(scene) > 1 ? "[" + name + "]" : name) + "\n";
 }
 
-// The keys of one section, with its header if any applies.
+// The keys of one section that apply, below its header; nothing if there are none.
 std::string section_text(std::span<const Key> section, const Scene& scene, std::size_t item) {
     constexpr std::size_t comment_column = 40;
     std::string text;
@@ -116,7 +115,9 @@ std::string values_of(const Scene& scene, std::span<const std::string_view> name
             known = true;
             if (key.changes_results && key.applies(scene)) text += plain_lines(key, scene);
         }
-        if (!known) throw std::invalid_argument(std::string(name) + ": no key or section of a scene");
+        if (!known)
+            throw std::invalid_argument(std::string(name) +
+                                        ": a scene has neither such a key nor such a section");
     }
     return text;
 }

@@ -1,11 +1,11 @@
+// How a scene is read: from the settings of the file and of --set to members, in order and complete.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
 
 #include "core/error.h"
 #include "core/files.h"
+#include "scene/effects/effects.h"
 #include "scene/keys.h"
+#include "scene/point_file.h"
 #include "scene/reading.h"
 #include "scene/scene.h"
 #include "scene/text.h"
@@ -39,22 +39,6 @@ std::vector<std::string> key_names() {
 std::string unknown_key(const std::string& name) {
     const std::string meant = nearest(name, key_names());
     return "unknown key; " + (meant.empty() ? "--help-scene lists all keys" : "did you mean " + meant + "?");
-}
-
-// A key's name without the number of its section, "block.size" for "block.2.size", and that number if any.
-struct Numbered {
-    std::string name;
-    std::optional<std::size_t> number;
-};
-
-Numbered split_number(const std::string& name) {
-    const auto first = name.find('.'), second = name.rfind('.');
-    if (first == second) return {name, {}};
-    std::size_t number = 0;
-    const char *from = name.data() + first + 1, *to = name.data() + second;
-    const auto [end, error] = std::from_chars(from, to, number);
-    if (error != std::errc() || end != to) return {name, {}};
-    return {name.substr(0, first) + name.substr(second), number};
 }
 
 // A setting of a repeated section without a number is one of every item.
@@ -97,6 +81,15 @@ std::vector<Setting> settings_of(const std::vector<Entry>& entries, const std::v
     return settings;
 }
 
+// Gives the scene as many items as the file has sections of each repeated key.
+void make_items(const Document& document, Scene& scene) {
+    for (const Key& key : all_keys()) {
+        const auto found = document.sections.find(std::string(key.section()));
+        if (key.repeated() && found != document.sections.end())
+            key.member.resize(scene, std::max<std::size_t>(found->second, 1));
+    }
+}
+
 void apply(Setting& setting, Reading& reading) {
     if (setting.key == nullptr) return;
     reading.places[setting.name] = setting.place;
@@ -132,7 +125,7 @@ std::string misplaced(const Setting& setting, const Reading& reading) {
     if (!reading.usable({"dimension"})) return {};
     if (key.only_3d && scene.dimension == 2) return "exists in 3D only; remove it or set dimension = 3";
     if (!key.per_dimension || !reading.usable({setting.name})) return {};
-    const auto& list = std::get<Member<std::vector<double>>>(key.member).read(scene, setting.item);
+    const auto list = std::get<std::vector<double>>(key.member.get(scene, setting.item));
     if (list.size() == static_cast<std::size_t>(scene.dimension)) return {};
     if (list.empty() && !key.required) return {};
     return "has " + std::to_string(list.size()) + (list.size() == 1 ? " number" : " numbers") +
@@ -181,12 +174,30 @@ void check_missing(Reading& reading) {
     }
 }
 
-// An empty list is that of zeros.
-void fill_velocities(Reading& reading) {
-    if (!reading.usable({"dimension"})) return;
-    for (Scene::Block& block : reading.scene.blocks) {
-        if (block.velocity.empty())
-            block.velocity.assign(static_cast<std::size_t>(reading.scene.dimension), 0.0);
+// Reads a table of points from the file that the key names. From then on it is as if it stood in the scene.
+void read_points(Reading& reading, const Key& key) {
+    const std::string target(key.points_of), file_key(key.name);
+    const auto file = std::get<std::string>(key.member.get(reading.scene, 0));
+    if (!reading.usable({file_key}) || !reading.places.contains(file_key) || file.empty()) return;
+    const Member& points = find_key(target)->member;
+    const bool given = !std::get<std::vector<double>>(points.get(reading.scene, 0)).empty();
+    if (given && reading.places.contains(target))
+        return reading.report(file_key, "the scene has " + target + " as well; remove one of them");
+    try {
+        points.set(reading.scene, 0,
+                   read_point_file(std::filesystem::absolute(reading.file).parent_path() / file));
+        reading.places[target] = reading.places[file_key];
+        key.member.set(reading.scene, 0, std::string());
+    } catch (const Error& error) {
+        reading.report(file_key, error.what());
+        reading.spoil(target);
+    }
+}
+
+void read_point_files(Reading& reading) {
+    if (!reading.usable({"effects"})) return;
+    for (const Key& key : all_keys()) {
+        if (!key.points_of.empty() && key.applies(reading.scene)) read_points(reading, key);
     }
 }
 
@@ -195,7 +206,7 @@ void find_files(Reading& reading) {
     const std::filesystem::path folder = std::filesystem::absolute(reading.file).parent_path();
     for (const Key& key : all_keys()) {
         if (!key.file || !reading.places.contains(key.name) || !reading.usable({key.name})) continue;
-        std::string& text = std::get<Member<std::string>>(key.member).write(reading.scene, 0);
+        const auto text = std::get<std::string>(key.member.get(reading.scene, 0));
         if (text.empty()) continue;
         const FilePart part = file_part(text);
         const std::filesystem::path path = folder / part.path;  // itself where it is absolute
@@ -203,63 +214,11 @@ void find_files(Reading& reading) {
             reading.report(key.name, path.string() + ": no such file; paths count from the scene's folder");
             reading.spoil(std::string(key.name));
         }
-        text = part.before + path.lexically_normal().string() + part.after;
+        key.member.set(reading.scene, 0, part.before + path.lexically_normal().string() + part.after);
     }
-}
-
-// Keys that follow from others.
-void derive(Reading& reading) {
-    Scene& scene = reading.scene;
-    if (!reading.usable({"effects"}) || !scene.has("water")) return;
-    const bool given = reading.places.contains("water.depth");
-    if (!given) reading.unusable.insert("water.depth");  // until it is known
-    if (!reading.usable({"dimension", "water.submergence", "domain.size"})) return;
-    if (scene.water.submergence < 0.0) {
-        if (!given && reading.places.contains("water.submergence"))
-            reading.report("water.depth", "missing; add it, or a water.submergence of 0 or more");
-        return;
-    }
-    if (!scene.has("ice")) {
-        reading.report("water.submergence",
-                       "is measured on ice, and effects does not name \"ice\"; use water.depth");
-        return;
-    }
-    if (!reading.usable({"ice.size", "ice.corner"})) return;
-    const double depth = scene.ice.corner.back() + scene.water.submergence * scene.ice.size.back();
-    if (given && std::abs(depth - scene.water.depth) > 1e-9 * depth) {
-        reading.report("water.depth", number_text(scene.water.depth) + " m, but water.submergence says " +
-                                          number_text(depth) + " m; remove one of them");
-    }
-    if (depth > 0.0 && depth <= scene.domain.size.back()) {
-        scene.water.depth = depth;
-        reading.unusable.erase("water.depth");
-        return;
-    }
-    reading.report("water.submergence",
-                   "puts the still water at " + number_text(depth) +
-                       " m, which must be above 0 m and at most the tank's height; change "
-                       "it, ice.corner or domain.size");
 }
 
 }  // namespace
-
-bool Reading::usable(std::initializer_list<std::string_view> keys) const {
-    return std::ranges::none_of(keys, [&](std::string_view key) { return unusable.contains(key); });
-}
-
-void Reading::spoil(const std::string& key) {
-    unusable.insert(key);
-    unusable.insert(split_number(key).name);
-}
-
-void Reading::add(const std::string& problem) {
-    if (std::ranges::count(problems, problem) == 0) problems.push_back(problem);
-}
-
-void Reading::report(std::string_view key, const std::string& problem) {
-    const auto place = places.find(key);
-    add((place == places.end() ? file + ": " + std::string(key) : place->second) + ": " + problem);
-}
 
 Override parse_override(std::string_view text) {
     const auto equals = text.find('=');
@@ -273,15 +232,13 @@ Override parse_override(std::string_view text) {
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides) {
     Reading reading;
     reading.file = file.string();
-    const Document document = parse_toml(read_text(file));
+    const Document document = parse_toml(read_text(file), repeated_sections());
     for (const auto& [line, problem] : document.problems) {
         reading.problems.push_back(reading.file + ":" + std::to_string(line) + ": " + problem);
     }
     if (!document.readable) throw SceneError(joined(reading.problems));
 
-    const auto blocks = document.sections.find("block");
-    if (blocks != document.sections.end())
-        reading.scene.blocks.resize(std::max<std::size_t>(blocks->second, 1));
+    make_items(document, reading.scene);
     std::vector<Setting> settings = settings_of(document.entries, overrides, reading.file, reading.scene);
     for (Setting& setting : settings) apply(setting, reading);
     check_effects(settings, reading);
@@ -289,12 +246,10 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
     for (const Setting& setting : settings) {
         if (!setting.problem.empty()) reading.add(setting.place + ": " + setting.problem);
     }
-    read_profiles(reading);
+    read_point_files(reading);
     check_missing(reading);
     find_files(reading);
-    derive_glacier(reading);
-    derive(reading);
-    fill_velocities(reading);
+    derive_scene(reading);
     check_scene(reading);
     if (!reading.problems.empty()) throw SceneError(joined(reading.problems));
     return reading.scene;

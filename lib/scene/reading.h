@@ -15,52 +15,42 @@ namespace tidewater::scene {
 struct Reading {
     std::string file;
     Scene scene;
-    std::map<std::string, std::string, std::less<>>
-        places;                                   // key -> "x.toml:12: water.depth", "--set water.depth=2"
-    std::set<std::string, std::less<>> unusable;  // missing or wrong; checks that need them are left out
+    // Where each key was set: "x.toml:12: water.depth", "--set water.depth=2".
+    std::map<std::string, std::string, std::less<>> places;
+    // Keys that are missing or wrong. Checks that need them are left out.
+    std::set<std::string, std::less<>> unusable;
     std::vector<std::string> problems;
 
-    // "block.size" stands for that of every block.
+    // The name of a key in a repeated section, such as "block.size", stands for that of every item.
     bool usable(std::initializer_list<std::string_view> keys) const;
 
     // Marks a key, in its full name, as unusable.
     void spoil(const std::string& key);
 
-    // Appends a line, unless it is there already: one --set may be wrong for several blocks.
+    // Appends a line unless it is there already: one --set may be wrong for several items.
     void add(const std::string& problem);
 
     // Appends "<where the key was set>: <problem>".
     void report(std::string_view key, const std::string& problem);
 };
 
-// Checks the keys against each other, appending what is wrong.
+// Reports a scene that names `effect` but not `needed`, so that `consequence`.
+void require_effect(Reading& reading, std::string_view effect, std::string_view needed,
+                    std::string_view consequence);
+
+// Reports a scene that names both effects, which `why` forbids.
+void refuse_pair(Reading& reading, std::string_view effect, std::string_view other, std::string_view why);
+
+// Sets the keys that follow from others, effect by effect.
+void derive_scene(Reading& reading);
+
+// Checks the keys against each other: those of the tank, of each effect, and of the simulation.
 void check_scene(Reading& reading);
 
-// Keys of ice and ground that follow from others: profiles from files; the box of an outline, and where ice
-// floats. Report what stands in their way. In derive_glacier.cpp.
-void read_profiles(Reading& reading);
-void derive_glacier(Reading& reading);
-
-// Parts of it, in check_blocks.cpp, check_glacier.cpp and check_flume.cpp.
-void check_blocks(Reading& reading);
-void check_glacier(Reading& reading);
-void check_bed(Reading& reading);
-void check_piston(Reading& reading);
-void check_sponge(Reading& reading);
-
-// What of the rigid blocks is allowed but probably not meant, and how fast they will move by an estimate,
-// m/s.
-std::vector<std::string> block_warnings(const Scene& scene);
-double fastest_block(const Scene& scene);
-std::vector<std::string> glacier_warnings(const Scene& scene);
-
-// "block.size", or "block.2.size" for the second of several.
-std::string block_key(const Scene& scene, std::size_t block, std::string_view name);
-// "the block", "block 2".
-std::string block_name(const Scene& scene, std::size_t block);
-
+// "x", "y" or "z".
 const char* axis_name(std::size_t axis, int dimension);
 
-inline constexpr double tolerance = 1e-6;  // of a cell
+// The largest difference between two lengths that count as equal, over a cell's width.
+inline constexpr double tolerance = 1e-6;
 
 }  // namespace tidewater::scene

@@ -19,15 +19,6 @@ std::optional<Stage> stage_named(std::string_view name) {
     return static_cast<Stage>(found - stage_names.begin());
 }
 
-analysis::InitialWave initial_wave(const Scene& scene) {
-    return {.kind = scene.wave.kind,
-            .height = scene.wave.height,
-            .length = scene.wave.length,
-            .center = scene.wave.center,
-            .depth = scene.water.depth,
-            .gravity = scene.domain.gravity};
-}
-
 geometry::Box make_box(const Scene& scene, const std::vector<double>& center, const std::vector<double>& size,
                        double degrees) {
     const bool flat = scene.dimension == 2;
@@ -37,35 +28,10 @@ geometry::Box make_box(const Scene& scene, const std::vector<double>& center, co
             .angle = degrees * std::numbers::pi / 180.0};
 }
 
-geometry::Box block_box(const Scene& scene, const Scene::Block& block) {
-    return make_box(scene, block.center, block.size, block.angle);
-}
-
-geometry::Box ice_box(const Scene& scene) {
-    std::vector<double> center = scene.ice.corner;
-    for (std::size_t axis = 0; axis < center.size(); ++axis) center[axis] += 0.5 * scene.ice.size[axis];
-    return make_box(scene, center, scene.ice.size);
-}
-
-geometry::Polygon ice_outline(const Scene& scene) {
-    geometry::Polygon outline;
-    const auto& list = scene.ice.profile;
-    for (std::size_t n = 0; n + 1 < list.size(); n += 2) outline.emplace_back(list[n], list[n + 1]);
-    if (!outline.empty()) return outline;
-    const auto corners = geometry::corners(ice_box(scene));
-    return {corners.begin(), corners.end()};
+double particle_spacing(const Scene& scene) {
+    return scene.domain.cell_size / static_cast<double>(scene.particles.per_axis);
 }
 
 bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }
-
-geometry::Profile bed_profile(const Scene& scene) {
-    geometry::Profile profile;
-    profile.smooth = scene.bed.shape == BedShape::smooth;
-    for (std::size_t i = 0; i + 1 < scene.bed.profile.size(); i += 2) {
-        profile.x.push_back(scene.bed.profile[i]);
-        profile.z.push_back(scene.bed.profile[i + 1]);
-    }
-    return profile;
-}
 
 }  // namespace tidewater::scene

@@ -117,6 +117,16 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     return found;
 }
 
+NumberedName split_number(const std::string& name) {
+    const auto first = name.find('.'), second = name.rfind('.');
+    if (first == second) return {name, {}};
+    std::size_t number = 0;
+    const char *from = name.data() + first + 1, *to = name.data() + second;
+    const auto [end, error] = std::from_chars(from, to, number);
+    if (error != std::errc() || end != to) return {name, {}};
+    return {name.substr(0, first) + name.substr(second), number};
+}
+
 FilePart file_part(const std::string& value) {
     const std::string netcdf = "NETCDF:";
     if (!value.starts_with(netcdf)) return {{}, value, {}};

@@ -1,6 +1,7 @@
 // Small pieces of text that messages and printed scenes are made of.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,7 +15,7 @@ std::string number_text(double number);
 // "16 m"
 std::string metres(double length);
 
-// Rounded to six digits, for numbers that were computed.
+// Rounds a computed number to six digits.
 double short_number(double number);
 
 // "[16, 1]"
@@ -23,21 +24,29 @@ std::string list_text(std::span<const std::string> words);
 // "[2, [2, 0.5]]": a point of one number as that number.
 std::string list_text(std::span<const std::vector<double>> points);
 
-// As a TOML basic string, quotes included.
+// The text as a TOML basic string, with its quotes.
 std::string quoted_text(std::string_view text);
 
-// "a, b or c"; last is the word before the last item.
+// "a, b or c". `last` is the word before the last item.
 std::string enumeration(std::span<const std::string> items, std::string_view last = "or");
 
-// Without blanks at either end.
+// The text without blanks at either end.
 std::string trimmed(std::string_view text);
 
 // Number of letters to insert, remove or replace to turn a into b (Levenshtein 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// The candidate nearest to `word`, a candidate's last part ("depth" of "water.depth") counting as well as the
-// whole. Empty if none is near enough to be what was meant.
+// The candidate nearest to `word`, by its whole name or by its last part ("depth" of "water.depth"). Empty if
+// none is near enough to be what was meant.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+// The name of a key without the number of its section, and that number if there is one: "block.size" and 2
+// for "block.2.size".
+struct NumberedName {
+    std::string name;
+    std::optional<std::size_t> number;
+};
+NumberedName split_number(const std::string& name);
 
 // The file's path in the value of a key, and what stands before and behind it: "NETCDF:" and ":variable".
 struct FilePart {

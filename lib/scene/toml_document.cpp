@@ -11,7 +11,7 @@
 namespace tidewater::scene {
 namespace {
 
-// Nothing if something in it is no number.
+// Nothing if an item is not a number.
 std::optional<std::vector<double>> numbers_of(const toml::array& array) {
     std::vector<double> numbers;
     for (const toml::node& item : array) {
@@ -129,13 +129,16 @@ bool repair(const toml::parse_error& error, Repair& repair) {
     return true;
 }
 
-std::string plain_reason(const toml::parse_error& error) {
+std::string plain_reason(const toml::parse_error& error, std::span<const std::string> repeatable) {
     const std::string why(error.description());
     const auto table = why.find("cannot redefine existing table ");
     if (table == why.npos) return "not TOML: " + why;
     const std::string name = why.substr(why.find('\''));
-    if (name == "'block'")
-        return "duplicate section " + name + "; write [[block]] above each of several blocks";
+    for (const std::string& section : repeatable) {
+        if (name == "'" + section + "'")
+            return "duplicate section " + name + "; if there are several, write [[" + section +
+                   "]] above each";
+    }
     return "duplicate section " + name + "; move its keys to the first one";
 }
 
@@ -168,7 +171,7 @@ std::string describe(const Value& value) {
     return std::visit(Describe{}, value);
 }
 
-Document parse_toml(std::string_view text) {
+Document parse_toml(std::string_view text, std::span<const std::string> repeatable) {
     Repair repaired{.lines = split_lines(text), .unquoted = {}, .problems = {}};
     Document document;
     while (true) {
@@ -177,7 +180,8 @@ Document parse_toml(std::string_view text) {
             break;
         } catch (const toml::parse_error& error) {
             if (repair(error, repaired)) continue;
-            repaired.problems.push_back({static_cast<int>(error.source().begin.line), plain_reason(error)});
+            repaired.problems.push_back(
+                {static_cast<int>(error.source().begin.line), plain_reason(error, repeatable)});
             document.readable = false;
             break;
         }

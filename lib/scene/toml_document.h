@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -45,8 +46,9 @@ struct Document {
 
 // Reads on after a duplicate key (reported, the first one counts) and after a value without quotes (kept as
 // Foreign), so that the scene's other problems can be told at once. After any other error the document is not
-// readable.
-Document parse_toml(std::string_view text);
+// readable. The sections in `repeatable` may stand under double brackets, and the message of a duplicate one
+// says so.
+Document parse_toml(std::string_view text, std::span<const std::string> repeatable = {});
 
 // The value of a --set option. What is not a TOML value is taken as text.
 Value parse_value(const std::string& text);

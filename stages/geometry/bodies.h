@@ -14,7 +14,7 @@ namespace tidewater {
 struct BoxBody {
     std::string name;  // of its level set
     geometry::Box box;
-    const scene::Scene::Block* block = nullptr;  // null for the shelf
+    const scene::Block* block = nullptr;  // null for the shelf
 };
 
 struct Bodies {

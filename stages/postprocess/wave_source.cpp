@@ -6,8 +6,8 @@
 
 namespace tidewater::postprocess {
 
-const scene::Scene::Block& wave_maker(const scene::Scene& scene) {
-    return *std::ranges::max_element(scene.blocks, {}, [](const scene::Scene::Block& block) {
+const scene::Block& wave_maker(const scene::Scene& scene) {
+    return *std::ranges::max_element(scene.blocks, {}, [](const scene::Block& block) {
         double mass = block.density;
         for (const double edge : block.size) mass *= edge;
         return mass;
@@ -30,7 +30,7 @@ std::vector<WavePath> block_wave_paths(const BlockShape& block, const scene::Sce
 
 WavePath main_wave_path(const scene::Scene& scene, double front) {
     if (!scene.has("rigid")) return {std::isnan(front) ? 0.0 : front, scene.domain.size.front()};
-    const scene::Scene::Block& block = wave_maker(scene);
+    const scene::Block& block = wave_maker(scene);
     return block_wave_paths({block.size, block.center, block.angle}, scene).front();
 }
 

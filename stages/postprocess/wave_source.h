@@ -9,7 +9,7 @@
 namespace tidewater::postprocess {
 
 // The heaviest block; it makes the greatest wave. The scene must have one.
-const scene::Scene::Block& wave_maker(const scene::Scene& scene);
+const scene::Block& wave_maker(const scene::Scene& scene);
 
 // There the block's wave runs to the left; never in a scene without a block.
 bool is_left_of_block(const scene::Scene& scene, double x);

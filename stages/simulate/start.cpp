@@ -89,7 +89,7 @@ std::vector<mpm::RigidStart<D>> make_blocks(const scene::Scene& scene) {
     if (!scene.has("rigid")) return blocks;
     using Vec = Eigen::Map<const Vector<D, double>>;
     constexpr double radians = std::numbers::pi / 180.0;
-    for (const scene::Scene::Block& block : scene.blocks) {
+    for (const scene::Block& block : scene.blocks) {
         blocks.push_back({.size = Vec(block.size.data()),
                           .center = Vec(block.center.data()),
                           .angle = radians * block.angle,

@@ -15,6 +15,10 @@
 
 namespace tidewater::mpm {
 
+// How velocities go from the nodes to the particles and back: by APIC, or by APIC with what that loses given
+// back (mpm/step/restore.h).
+enum class Transfer { apic, restored };
+
 // Adds one particle to its tile of momenta and masses.
 //     position   in cells, relative to the tile's block
 //     momentum   m v, kg m/s

@@ -17,13 +17,10 @@
 #include "mpm/materials/ice.h"
 #include "mpm/materials/water.h"
 #include "mpm/particles/particles.h"
+#include "mpm/particles/transfer.h"
 #include "mpm/state/accounts.h"
 
 namespace tidewater::mpm {
-
-// How velocities go from the nodes to the particles and back: by APIC, or by APIC with what that loses given
-// back (mpm/step/restore.h).
-enum class Transfer { apic, restored };
 
 // What stays as it is through a run.
 template <int D>

@@ -86,7 +86,7 @@ TEST_CASE("a duplicate key of one of several blocks is told with its line, and a
     CHECK(problem(two_blocks + "[[block]]\nsize = [0.3, 0.3]\nsize = [0.3, 0.3]\ncenter = [5, 0.5]\n") ==
           "a.toml:20: block.size: duplicate key; keep one of them");
     CHECK(problem(block_scene + "[block]\nangle = 1\n") ==
-          "a.toml:13: duplicate section 'block'; write [[block]] above each of several blocks");
+          "a.toml:13: duplicate section 'block'; if there are several, write [[block]] above each");
 }
 
 TEST_CASE("a setting that is wrong for every block is told once") {
@@ -102,33 +102,31 @@ TEST_CASE("a block that does not exist is an error, and so is a number for what 
           "--set water.1.depth=1: unknown key; did you mean water.depth?");
 }
 
-TEST_CASE("blocks that share room are told, and blocks that touch are not") {
+TEST_CASE("blocks that overlap are told, and blocks that touch are not") {
     CHECK(problem(two_blocks, {"block.2.center=[0.675, 0.7]", "block.2.angle=0"}) == "");
-    CHECK(
-        problem(two_blocks, {"block.2.center=[0.6, 0.7]", "block.2.angle=0"}) ==
-        "--set block.2.center=[0.6, 0.7]: block 2 and block 1 share room: they overlap by 0.075 m; move them "
-        "apart");
+    CHECK(problem(two_blocks, {"block.2.center=[0.6, 0.7]", "block.2.angle=0"}) ==
+          "--set block.2.center=[0.6, 0.7]: block 2 and block 1 overlap by 0.075 m; move them "
+          "apart");
     // Beyond the first one's corner: their upright bounds overlap, the blocks do not.
     CHECK(problem(two_blocks, {"block.2.center=[0.69, 0.45]", "block.2.angle=45"}) == "");
 }
 
-TEST_CASE("a block that shares room with the ice or the ground is told") {
+TEST_CASE("a block that overlaps the ice or the ground is told") {
     const Sets ice{"effects=[\"water\", \"rigid\", \"ice\"]", "ice.size=[0.5, 0.5]", "ice.corner=[0, 0]"};
     Sets apart = ice;
     apart.push_back("block.center=[2, 0.7]");
     CHECK(problem(block_scene, apart) == "");
     Sets overlapping = ice;
     overlapping.push_back("block.center=[0.3, 0.6]");
-    CHECK(
-        problem(block_scene, overlapping) ==
-        "--set block.center=[0.3, 0.6]: the block and the ice share room: they overlap by 0.025 m; move them "
-        "apart");
+    CHECK(problem(block_scene, overlapping) ==
+          "--set block.center=[0.3, 0.6]: the block and the ice overlap by 0.025 m; move them "
+          "apart");
     const Sets bed{"effects=[\"water\", \"rigid\", \"bed\"]", "bed.profile=[0, 0.4, 1, 0.5, 3, 0]"};
     CHECK(problem(block_scene, bed) == "");
     Sets low = bed;
     low.push_back("block.center=[1, 0.55]");
     CHECK(problem(block_scene, low) ==
-          "--set block.center=[1, 0.55]: the block and the ground (bed.profile) share room: they overlap by "
+          "--set block.center=[1, 0.55]: the block and the ground (bed.profile) overlap by "
           "0.075 "
           "m; move them apart");
 }
@@ -166,4 +164,56 @@ TEST_CASE("a block's start counts among the fastest flows") {
     CHECK_FALSE(warned({"water.sound_speed=40"}));
     CHECK(warned({"water.sound_speed=40", "block.2.velocity=[-3, 4]"}));
     CHECK(warned({"water.sound_speed=40", "block.1.spin=3600"}));
+}
+
+TEST_CASE("a block may touch the walls") {
+    CHECK(set_problem("block.center=[0.25, 0.125]") == "");
+    CHECK(set_problem("block.center=[15.75, 0.875]") == "");
+}
+
+TEST_CASE("a block outside the tank is told with its extent and the tank's") {
+    CHECK(set_problem("block.center=[0.2, 0.5]") ==
+          "the block lies outside the tank: along x it reaches from -0.05 m to 0.45 m, the tank from 0 m to "
+          "16 m; move "
+          "block.center or shrink block.size");
+    CHECK(set_problem("block.center=[20, 0.9]") ==
+          "the block lies outside the tank: along x it reaches from 19.75 m to 20.25 m, the tank from 0 m to "
+          "16 m; move "
+          "block.center or shrink block.size\n"
+          "--set block.center=[20, 0.9]: the block lies outside the tank: along z it reaches from 0.775 m to "
+          "1.025 m, "
+          "the tank from 0 m to 1 m; move block.center or shrink block.size");
+}
+
+TEST_CASE("a block is inside the tank only if its turned corners are") {
+    const Sets in_the_middle{"block.center=[0.27, 0.5]", "block.angle=90"};
+    CHECK(problem(block_scene, in_the_middle) == "");
+    CHECK(problem(block_scene, {"block.center=[0.27, 0.5]", "block.angle=30"})
+              .find("along x it reaches from -0.00900635 m to 0.549006 m") != std::string::npos);
+    CHECK(problem(block_scene, {"block.center=[0.27, 0.5]", "block.angle=-150"}) ==
+          problem(block_scene, {"block.center=[0.27, 0.5]", "block.angle=30"}));
+}
+
+TEST_CASE("a block in 3D turns in the x–z plane only") {
+    const Sets block{"effects=[\"water\", \"rigid\"]", "block.size=[1, 2, 0.5]", "block.center=[2, 1, 0.5]"};
+    CHECK(problem(water_scene_3d, block) == "");
+    Sets turned = block;
+    turned.push_back("block.angle=90");
+    CHECK(problem(water_scene_3d, turned) == "");
+    turned[2] = "block.center=[2, 1.1, 0.5]";
+    CHECK(problem(water_scene_3d, turned).find("along y it reaches from 0.1 m to 2.1 m") !=
+          std::string::npos);
+}
+
+TEST_CASE("every transfer, scheme and tension goes with a rigid block") {
+    CHECK(problem(block_scene, {"simulate.transfer=\"restored\""}) == "");
+    CHECK(problem(block_scene,
+                  {"simulate.transfer=\"apic\"", "water.scheme=\"paper\"", "water.tension=\"paper\""}) == "");
+}
+
+TEST_CASE("a boundary that blocks do not touch is not named with them") {
+    CHECK(problem(block_scene,
+                  {"effects=[\"water\", \"rigid\", \"shelf\"]", "shelf.length=2", "shelf.height=0.1"}) ==
+          "--set effects=[\"water\", \"rigid\", \"shelf\"]: names \"rigid\" and \"shelf\": a rigid block "
+          "touches only water, ice, a bed and the tank's walls so far; remove one of them");
 }
