@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "io/hdf5_file.h"
 #include "mpm/simulation.h"
+#include "tally.h"
 
 namespace tidewater {
 
@@ -24,6 +25,8 @@ struct RunState {
     std::string gauges, pressures, bodies, ledger;    // the tables so far; two of them may be empty
     std::vector<double> last_bodies;                  // BodiesTable::last
     double start_energy = 0.0, highest_energy = 0.0;  // J
+    Tally tally;                                      // kept apart from the rest
+    bool went_on = false;                             // whether a checkpoint held this; not kept
 
     bool begun() const { return rows > 0; }
 

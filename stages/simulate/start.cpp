@@ -83,7 +83,7 @@ mpm::Outlet make_outlet(const scene::Scene& scene) {
     return {.from = scene.domain.size.front() - scene.outlet.width, .level = scene.water.depth};
 }
 
-// `block`: how many blocks came before.
+// In the order of the scene.
 template <int D>
 std::vector<mpm::RigidStart<D>> make_blocks(const scene::Scene& scene) {
     std::vector<mpm::RigidStart<D>> blocks;
