@@ -68,6 +68,7 @@ void run(const StageProgram& program, const StageOptions& options, const scene::
                                         .command = command,
                                         .scene_hash = scene::scene_hash(scene, program.stage),
                                         .seed = scene.seed},
+                         .scene_file = options.scene,
                          .particles = options.particles,
                          .from = options.from,
                          .until = options.until,

@@ -32,6 +32,7 @@ struct StageContext {
     std::filesystem::path run;     // the folder of all stages' results
     std::filesystem::path folder;  // run/<stage>; exists and can be written to
     Provenance provenance;
+    std::filesystem::path scene_file;  // as the command line names it
 
     ParticleOptions particles;  // postprocess's options
 

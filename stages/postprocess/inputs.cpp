@@ -51,6 +51,8 @@ Inputs read_inputs(const StageContext& context) {
         inputs.ledger_file = *path;
     }
     inputs.bodies = find_bodies(context);
+    if (const auto path = context.run / "simulate" / "run.json"; std::filesystem::exists(path))
+        inputs.facts = io::read_run_facts(path);
     return inputs;
 }
 

@@ -11,6 +11,7 @@
 #include "common/ground.h"
 #include "common/stage.h"
 #include "gauges.h"
+#include "io/run_facts.h"
 #include "io/table.h"
 
 namespace tidewater::postprocess {
@@ -21,6 +22,7 @@ struct Inputs {
     std::filesystem::path ledger_file;
     std::vector<Body> bodies;  // empty where no block makes a wave, too
     Ground ground;
+    std::optional<io::RunFacts> facts;  // of run.json
 };
 
 // Of frames of another program only the ground is read. Throws InputError if one of the files is damaged.

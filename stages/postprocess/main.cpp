@@ -161,7 +161,7 @@ void work(StageContext& context) {
     write_chart(context, "gauges", gauge_chart(waves, context));
     write_chart(context, "celerity", celerity_chart(waves, context));
     write_waves(context.folder / "waves.csv", waves, context.provenance);
-    write_run_report(context, frames);
+    write_run_report(context, frames, inputs.facts);
     if (context.movie) make_movie(context, frames);
 }
 

@@ -46,14 +46,15 @@ std::string summary(const io::Report& report) {
 
 }  // namespace
 
-void write_run_report(const StageContext& context, const Frames& frames) {
+void write_run_report(const StageContext& context, const Frames& frames,
+                      const std::optional<io::RunFacts>& run) {
     io::Report report{.title = context.scene.title.empty() ? "A run of tidewater" : context.scene.title,
-                      .warnings = report_warnings(context, frames),
+                      .warnings = report_warnings(context, frames, run),
                       .numbers = report_numbers(context),
                       .slides = find_slides(context.folder),
                       .figures = report_figures(context),
                       .tables = report_tables(context),
-                      .facts = report_facts(context, frames)};
+                      .facts = report_facts(context, frames, run)};
     report.slides_note =
         "Water by speed, ice by damage. frames.html has every picture; particles.pvd opens in ParaView.";
     report.summary = summary(report);

@@ -4,10 +4,13 @@
 
 #include "common/stage.h"
 #include "frames.h"
+#include "io/run_facts.h"
 
 namespace tidewater::postprocess {
 
-// Written last: it shows what the stage has written before. Throws OutputError.
-void write_run_report(const StageContext& context, const Frames& frames);
+// Written last: it shows what the stage has written before. `run` is what run.json tells, if it is there.
+// Throws OutputError.
+void write_run_report(const StageContext& context, const Frames& frames,
+                      const std::optional<io::RunFacts>& run);
 
 }  // namespace tidewater::postprocess

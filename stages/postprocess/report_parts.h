@@ -7,6 +7,7 @@
 #include "common/stage.h"
 #include "frames.h"
 #include "io/report.h"
+#include "io/run_facts.h"
 
 namespace tidewater::postprocess {
 
@@ -14,10 +15,12 @@ namespace tidewater::postprocess {
 std::vector<io::KeyNumber> report_numbers(const StageContext& context);
 
 // What to be careful about: energy, mass and momentum, gauges, fits, a run that has not ended.
-std::vector<std::string> report_warnings(const StageContext& context, const Frames& frames);
+std::vector<std::string> report_warnings(const StageContext& context, const Frames& frames,
+                                         const std::optional<io::RunFacts>& run);
 
 // What was run, with what, and what it took.
-std::vector<io::Fact> report_facts(const StageContext& context, const Frames& frames);
+std::vector<io::Fact> report_facts(const StageContext& context, const Frames& frames,
+                                   const std::optional<io::RunFacts>& run);
 
 // The charts and tables that there are.
 std::vector<io::ReportFigure> report_figures(const StageContext& context);

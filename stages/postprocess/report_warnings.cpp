@@ -79,13 +79,24 @@ void check_ledger(const StageContext& context, Warnings& warnings) {
     check_momentum(ledger, warnings);
 }
 
-// A run of this program that is going on or was stopped; frames.h refuses gaps.
-void check_end(const StageContext& context, const Frames& frames, Warnings& warnings) {
+// A run of this program that failed, is going on or was stopped; frames.h refuses gaps.
+void check_end(const StageContext& context, const Frames& frames, const std::optional<io::RunFacts>& run,
+               Warnings& warnings) {
+    if (!run) return;
+    if (run->state == "failed") warnings.push_back("The run failed: " + run->reason + ".");
     const double end = context.scene.simulate.end_time, interval = context.scene.simulate.snapshot_interval;
-    if (frames.times.empty() || simulated_table(context, "log").empty()) return;
+    if (run->state == "failed" || frames.times.empty()) return;
     if (frames.times.back() >= end - 1.5 * interval) return;
     warnings.push_back("The run is going on or was stopped: its last frame is of t = " +
                        short_number(frames.times.back()) + " s of " + short_number(end) + " s.");
+}
+
+// What simulate warned of besides the scene's warnings, which are there already.
+void add_run_warnings(const std::optional<io::RunFacts>& run, Warnings& warnings) {
+    if (!run) return;
+    for (const std::string& warning : run->warnings) {
+        if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    }
 }
 
 void check_gauges(const StageContext& context, Warnings& warnings) {
@@ -148,9 +159,11 @@ std::filesystem::path simulated_table(const StageContext& context, const std::st
     return {};
 }
 
-std::vector<std::string> report_warnings(const StageContext& context, const Frames& frames) {
+std::vector<std::string> report_warnings(const StageContext& context, const Frames& frames,
+                                         const std::optional<io::RunFacts>& run) {
     Warnings warnings = scene::scene_warnings(context.scene);
-    check_end(context, frames, warnings);
+    check_end(context, frames, run, warnings);
+    add_run_warnings(run, warnings);
     check_ledger(context, warnings);
     check_gauges(context, warnings);
     check_doubts(context, "size_fits.csv", "set", "The fit of the icebergs' sizes", warnings);

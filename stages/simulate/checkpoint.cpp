@@ -13,7 +13,8 @@
 namespace tidewater {
 namespace {
 
-constexpr std::int64_t format_version = 5;
+// Version 6 has a tally besides, without which a run goes on too.
+constexpr std::int64_t format_version = 6;
 
 io::Hdf5Reader open_checkpoint(const std::filesystem::path& path) {
     io::Hdf5Reader file(path, "--from start begins the run anew");
@@ -90,7 +91,9 @@ template <int D, class Real>
 RunState Checkpoint::load(const std::filesystem::path& path, mpm::Simulation<D, Real>& simulation) {
     const io::Hdf5Reader file = open_checkpoint(path);
     RunState run;
+    run.went_on = true;
     run.visit(io::ColumnReader(file, "/run"));
+    if (!file.array_names("/tally").empty()) run.tally.visit(io::ColumnReader(file, "/tally"));
     visit_state(simulation, io::ColumnReader(file, "/state"));
     if (!relink(simulation)) file.fail("its arrays do not fit each other or this build's blocks");
     require_frames(run, path);
@@ -111,6 +114,7 @@ void Checkpoint::save(mpm::Simulation<D, Real>& simulation, RunState& run) {
     file.attribute("/", "time", simulation.time);
     file.array<char>("/scene", scene_);
     run.visit(io::ColumnWriter(file, "/run"));
+    run.tally.visit(io::ColumnWriter(file, "/tally"));
     visit_state(simulation, io::ColumnWriter(file, "/state"));
     file.close();
     part.commit();

@@ -10,7 +10,12 @@
 #include "common/stage.h"
 #include "core/error.h"
 #include "io/hdf5_file.h"
+<<<<<<< HEAD
 #include "mpm/state/simulation.h"
+=======
+#include "mpm/simulation.h"
+#include "tally.h"
+>>>>>>> wt-facts
 
 namespace tidewater {
 
@@ -24,6 +29,8 @@ struct RunState {
     std::string gauges, pressures, bodies, ledger;    // the tables so far; two of them may be empty
     std::vector<double> last_bodies;                  // BodiesTable::last
     double start_energy = 0.0, highest_energy = 0.0;  // J
+    Tally tally;                                      // kept apart from the rest
+    bool went_on = false;                             // whether a checkpoint held this; not kept
 
     bool begun() const { return rows > 0; }
 

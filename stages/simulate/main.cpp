@@ -1,16 +1,14 @@
 // tidewater-simulate: particles from <run>/geometry/geometry.vdb, stepped to simulate.end_time; results in
 // <run>/simulate. A run that was stopped goes on from its checkpoint.
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdio>
+#include <exception>
 #include <utility>
 
 #include "checkpoint.h"
 #include "common/stage.h"
 #include "core/error.h"
-#include "core/progress.h"
+#include "facts.h"
 #include "format.h"
+#include "io/run_facts.h"
 #include "log.h"
 #include "records.h"
 #include "run.h"
@@ -19,20 +17,24 @@
 namespace tidewater {
 namespace {
 
+void log_summary(const io::RunFacts& facts, Log& log) {
+    log.line(std::to_string(facts.particle_count()) + " particles, " + io::cost_text(facts));
+    log.line("time went into: " + io::time_shares_text(facts));
+    log.line("time step: " + io::time_step_text(facts) + "; limited by " + io::limited_by_text(facts));
+    log.line("ledger: " + io::ledger_text(facts));
+}
+
+// How run.json tells of an error that ends the run.
 template <int D, class Real>
-void log_summary(const mpm::Simulation<D, Real>& s, const Records<D, Real>& records, double seconds,
-                 long first_step, Log& log) {
-    const long steps = s.step - first_step;
-    const double work = static_cast<double>(s.particle_count()) * static_cast<double>(steps);
-    log.line(format("%zu particles, %ld steps in %.1f s: %.3g million particle-steps/s", s.particle_count(),
-                    steps, seconds, 1e-6 * work / seconds));
-    double total = 0.0;
-    for (const double phase : s.seconds) total += phase;
-    std::string shares = "time in the step:";
-    for (std::size_t phase = 0; phase < s.seconds.size(); ++phase) {
-        shares += format(" %s %.0f %%", std::string(mpm::phase_names[phase]).c_str(),
-                         100.0 * s.seconds[phase] / total);
+void write_end(const Facts<D, Real>& facts, const std::exception& error) {
+    const auto* ours = dynamic_cast<const Error*>(&error);
+    constexpr int first_signal = 128;
+    const bool stopped = ours != nullptr && static_cast<int>(ours->code()) > first_signal;
+    try {
+        facts.write(stopped ? "stopped" : "failed", error.what());
+    } catch (const OutputError&) {  // the error itself is told, and says more
     }
+<<<<<<< HEAD
     log.line(shares +
              format("; %.0f %% of the run went into output", 100.0 * std::max(0.0, 1.0 - total / seconds)));
     log.line(
@@ -41,35 +43,40 @@ void log_summary(const mpm::Simulation<D, Real>& s, const Records<D, Real>& reco
                records.start_energy(), records.energy() - records.start_energy(),
                records.highest_energy() - records.start_energy(), records.momentum_residual(),
                std::abs(s.accounts.gravity_impulse)));
+=======
+>>>>>>> wt-facts
 }
 
 // Runs what start or checkpoint gave; the records begin anew or go on likewise.
 template <int D, class Real>
 void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Checkpoint& checkpoint,
                     const RunState& earlier, Log& log, Clock::time_point started) {
-    log.line(format("%zu particles in %zu blocks, %dD, %s, cell size %g m", s.particle_count(),
-                    s.grid.particle_blocks.size(), D, sizeof(Real) == 4 ? "float" : "double",
-                    context.scene.domain.cell_size));
-    const long first_step = s.step;
     Records<D, Real> records(context.scene, read_ground(context.scene, geometry_file(context)),
                              context.folder, context.provenance);
     if (earlier.begun()) records.resume(earlier);
-    Run<D, Real> run(context, s, checkpoint, records, log, earlier, started);
+    Facts<D, Real> facts(context, s, records, earlier, started);
+    log.line(io::particles_text(facts.now("running")));
+    facts.write("running");
+    Run<D, Real> run(context, s, checkpoint, records, facts, log, earlier);
     try {
         if (!run.to_end()) {
             records.keep_parts();
-            log.line(format("stopped by --until at t = %.6g s, step %ld", s.time, s.step) +
-                     "; the same command goes on from " + checkpoint.path().string());
+            const std::string line = format("stopped by --until at t = %.6g s, step %ld", s.time, s.step);
+            log.line(line + "; the same command goes on from " + checkpoint.path().string());
+            facts.write("stopped", line);
             return log.finish();
         }
-    } catch (const NumericsError&) {
-        records.keep_parts();  // the curves up to here tell what went wrong
+        log_summary(facts.now("complete"), log);
+        facts.write("complete");
+        log.finish();
+        records.finish();
+        checkpoint.remove();
+    } catch (const std::exception& error) {
+        // After an error of numerics the curves up to here tell what went wrong.
+        if (dynamic_cast<const NumericsError*>(&error) != nullptr) records.keep_parts();
+        write_end(facts, error);
         throw;
     }
-    log_summary(s, records, seconds_since(started), first_step, log);
-    log.finish();
-    records.finish();
-    checkpoint.remove();
 }
 
 // The simulation at t = 0, and the fingerprint of what it was made from.

@@ -56,6 +56,16 @@ std::vector<std::string> ledger_columns() {
     return columns;
 }
 
+// momentum + outflow − walls' impulse − gravity's impulse of a row of the ledger: it stays what it was.
+template <int D>
+Vector<D, double> momentum_balance(const std::vector<double>& row) {
+    constexpr std::size_t momentum = 3, walls = momentum + D, gravity = walls + D, outflow = gravity + 6;
+    using Vec = Eigen::Map<const Vector<D, double>>;
+    Vector<D, double> balance = Vec(&row[momentum]) + Vec(&row[outflow]) - Vec(&row[walls]);
+    balance[D - 1] -= row[gravity];
+    return balance;
+}
+
 // Writes (x, y, z), y = 0 in 2D.
 template <int D, class Real>
 void lift(const Vector<D, Real>& v, float* to) {
@@ -86,7 +96,7 @@ void remove_file(const std::filesystem::path& path) {
 // Removes what simulate writes, whole or as a part, but for the files with these names.
 void remove_all_but(const std::filesystem::path& folder, const std::set<std::string>& kept) {
     const std::regex ours(
-        R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|pressures\.csv|bodies\.csv|ledger\.csv|checkpoint\.h5|log)(\.part)?)");
+        R"((frame_\d+\.hdf|frame\.hdf\.series|gauges\.csv|pressures\.csv|bodies\.csv|ledger\.csv|checkpoint\.h5|run\.json|log)(\.part)?)");
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
@@ -261,6 +271,7 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     if (bodies_) bodies_->append(s);
 
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
+<<<<<<< HEAD
     energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic + s.accounts.outflow.energy -
               s.accounts.boundary_work;
     if (first_row_) start_energy_ = highest_energy_ = energy_;
@@ -277,7 +288,40 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
                            s.accounts.boundary_work, s.accounts.outflow.mass});
     row.insert(row.end(), s.accounts.outflow.momentum.begin(), s.accounts.outflow.momentum.end());
     row.insert(row.end(), {s.accounts.outflow.energy, energy_});
+=======
+    const double energy =
+        ledger.kinetic + ledger.gravitational + ledger.elastic + s.outflow.energy - s.boundary_work;
+    if (first_row_) start_energy_ = highest_energy_ = energy;
+    highest_energy_ = std::max(highest_energy_, energy);
+
+    row = {s.time, static_cast<double>(s.step), ledger.mass};
+    row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
+    row.insert(row.end(), s.wall_impulse.begin(), s.wall_impulse.end());
+    row.insert(row.end(), {s.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
+                           s.boundary_work, s.outflow.mass});
+    row.insert(row.end(), s.outflow.momentum.begin(), s.outflow.momentum.end());
+    row.insert(row.end(), {s.outflow.energy, energy});
+>>>>>>> wt-facts
     ledger_.append(row);
+    if (first_row_) first_ledger_row_ = row;
+    last_ledger_row_ = row;
+    first_row_ = false;
+}
+
+template <int D, class Real>
+io::RunFacts::Ledger Records<D, Real>::ledger_facts() const {
+    io::RunFacts::Ledger facts;
+    if (last_ledger_row_.empty()) return facts;
+    facts.energy_rise = highest_energy_ - start_energy_;
+    const std::vector<std::string> columns = ledger_columns<D>();
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        facts.last.emplace_back(columns[c], last_ledger_row_[c]);
+        if (!first_ledger_row_.empty()) facts.first.emplace_back(columns[c], first_ledger_row_[c]);
+    }
+    if (!first_ledger_row_.empty())
+        facts.momentum_open =
+            (momentum_balance<D>(last_ledger_row_) - momentum_balance<D>(first_ledger_row_)).norm();
+    return facts;
 }
 
 template <int D, class Real>
@@ -292,6 +336,8 @@ void Records<D, Real>::store(RunState& run) {
     run.ledger = ledger_.text();
     run.start_energy = start_energy_;
     run.highest_energy = highest_energy_;
+    run.tally.first_ledger_row = first_ledger_row_;
+    run.tally.last_ledger_row = last_ledger_row_;
 }
 
 template <int D, class Real>
@@ -306,6 +352,8 @@ void Records<D, Real>::resume(const RunState& run) {
     ledger_.resume(run.ledger);
     start_energy_ = run.start_energy;
     highest_energy_ = run.highest_energy;
+    first_ledger_row_ = run.tally.first_ledger_row;
+    last_ledger_row_ = run.tally.last_ledger_row;
     first_row_ = false;
     io::write_series(folder_, frame_times_);
 }

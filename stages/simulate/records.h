@@ -10,6 +10,7 @@
 #include "checkpoint.h"
 #include "common/ground.h"
 #include "core/provenance.h"
+#include "io/run_facts.h"
 #include "io/table.h"
 #include "mpm/state/ledger.h"
 #include "scene/scene.h"
@@ -43,12 +44,7 @@ public:
     void keep_parts();
 
     std::size_t frame_count() const { return frame_times_.size(); }
-    double start_energy() const { return start_energy_; }
-    double energy() const { return energy_; }
-    double highest_energy() const { return highest_energy_; }
-    double momentum_residual() const {
-        return momentum_residual_;
-    }  // kg m/s that neither gravity nor walls explain
+    io::RunFacts::Ledger ledger_facts() const;
 
 private:
     std::vector<double> surface_at_gauges(const mpm::Simulation<D, Real>& simulation) const;
@@ -64,7 +60,8 @@ private:
     io::TableWriter ledger_;
     double spacing_;  // of the points that stand for rigid blocks, m
     std::vector<double> frame_times_;
-    double start_energy_ = 0.0, energy_ = 0.0, highest_energy_ = 0.0, momentum_residual_ = 0.0;
+    std::vector<double> first_ledger_row_, last_ledger_row_;  // empty: none yet, or unknown
+    double start_energy_ = 0.0, highest_energy_ = 0.0;
     bool first_row_ = true;
 };
 

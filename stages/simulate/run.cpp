@@ -11,17 +11,22 @@
 namespace tidewater {
 namespace {
 
+const char* limit_words(TimeStepLimit limit) {
+    if (limit == TimeStepLimit::motion) return "the fastest particle";
+    return limit == TimeStepLimit::sound_in_ice ? "the sound speed of ice" : "the sound speed of water";
+}
+
 template <int D, class Real>
 std::string time_step_line(const mpm::Simulation<D, Real>& s) {
     const auto& speeds = s.speeds;
-    const double sum = speeds.sound + speeds.particle;
     const double step = mpm::stable_time_step(s);
-    if (sum == 0.0 || step < s.parameters.cfl * s.grid.layout.cell_size / sum)
+    const TimeStepLimit limit = time_step_limit(s);
+    if (limit == TimeStepLimit::falling)
         return format("dt %.3g s, in which nothing moves or falls by more than 0.4 cells", step);
     return format("dt %.3g s = %g x %g m / (sound %.4g m/s + particles %.3g m/s), limited by %s (%.0f %%)",
                   step, s.parameters.cfl, s.grid.layout.cell_size, speeds.sound, speeds.particle,
-                  speeds.sound >= speeds.particle ? "the sound speed" : "the fastest particle",
-                  100.0 * std::max(speeds.sound, speeds.particle) / sum);
+                  limit_words(limit),
+                  100.0 * std::max(speeds.sound, speeds.particle) / (speeds.sound + speeds.particle));
 }
 
 // `time`, or the time of a schedule if it is one but for rounding.
@@ -29,26 +34,21 @@ double snapped(double time) { return std::abs(time - rounded(time)) < 1e-13 * ti
 
 }  // namespace
 
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 template <int D, class Real>
 Run<D, Real>::Run(const StageContext& context, mpm::Simulation<D, Real>& simulation, Checkpoint& checkpoint,
-                  Records<D, Real>& records, Log& log, const RunState& earlier, Clock::time_point started)
+                  Records<D, Real>& records, Facts<D, Real>& facts, Log& log, const RunState& earlier)
     : scene_(context.scene),
       simulate_(context.scene.simulate),
       until_(context.until),
       s_(simulation),
       checkpoint_(checkpoint),
       records_(records),
+      facts_(facts),
       log_(log),
       rows_(simulate_.gauge_interval, earlier.rows),
       frames_(simulate_.snapshot_interval, earlier.frames),
       progress_("simulate", s_.time / simulate_.end_time),
-      wrote_(earlier.wrote != 0),
-      earlier_seconds_(earlier.seconds),
-      started_(started) {}
+      wrote_(earlier.wrote != 0) {}
 
 template <int D, class Real>
 bool Run<D, Real>::to_end() {
@@ -100,15 +100,22 @@ void Run<D, Real>::settle(const StopWish& wish) {
 template <int D, class Real>
 void Run<D, Real>::step(double end) {
     const double arrival = snapped(s_.time + s_.dt);
-    double target = std::min(frames_.after(arrival), rows_.after(arrival));
+    const auto next_output = [&](double time) { return std::min(frames_.after(time), rows_.after(time)); };
+    double target = next_output(arrival);
     if (arrival < end) target = std::min(target, end);
-    const double left = target - arrival;
-    mpm::advance(s_, left / std::max(1.0, std::ceil(left / mpm::stable_time_step(s_))));
+    const double left = target - arrival, stable = mpm::stable_time_step(s_);
+    const double dt = left / std::max(1.0, std::ceil(left / stable));
+    // A step that takes the whole time between two outputs, and not only the rest of it, is as long as they
+    // let it be.
+    const bool whole = left <= stable && (s_.dt == 0.0 || next_output(s_.time) <= arrival);
+    facts_.tally().add_step(whole ? TimeStepLimit::output : time_step_limit(s_), dt, s_.particle_count());
+    mpm::advance(s_, dt);
     s_.time = arrival;
 }
 
 template <int D, class Real>
 void Run<D, Real>::write_due(bool ended) {
+    const auto begun = Clock::now();
     const bool row = rows_.due(s_.time), frame = frames_.due(s_.time);
     if (row || ended) records_.append_row(s_);
     if (frame || ended) {
@@ -117,6 +124,7 @@ void Run<D, Real>::write_due(bool ended) {
             time_step_line(s_));
     }
     wrote_ = wrote_ || row || frame;
+    facts_.tally().output_seconds += seconds_since(begun);
 }
 
 // A checkpoint that does not fit on the disk is no reason to stop: the one before is still there.
@@ -126,9 +134,12 @@ void Run<D, Real>::save_if_due() {
     if (interval == 0.0 || seconds_since(last_save_) < interval) return;
     try {
         save();
+        facts_.write("running");
     } catch (const OutputError& error) {
-        say(std::string("warning: ") + error.what() +
-            "; meanwhile the run goes on, with the checkpoint before");
+        const std::string line =
+            std::string(error.what()) + "; meanwhile the run goes on, with what was written before";
+        say("warning: " + line);
+        facts_.tally().warnings += line + "\n";
         last_save_ = Clock::now();
     }
 }
@@ -136,17 +147,21 @@ void Run<D, Real>::save_if_due() {
 template <int D, class Real>
 void Run<D, Real>::save() {
     RunState run;
-    run.seconds = earlier_seconds_ + seconds_since(started_);
     run.rows = rows_.past();
     run.frames = frames_.past();
     run.wrote = wrote_;
+    facts_.store(run);
     records_.store(run);
     const auto begun = Clock::now();
     checkpoint_.save(s_, run);
     last_save_ = Clock::now();
+    const auto bytes = std::filesystem::file_size(checkpoint_.path());
+    const double seconds = seconds_since(begun);
+    Tally& tally = facts_.tally();
+    tally.checkpoint_bytes = static_cast<std::int64_t>(bytes);
+    tally.checkpoint_seconds += seconds;
     log_.quiet_line(format("checkpoint at t %.4g s: %.3g MB in %.2g s", s_.time,
-                           1e-6 * static_cast<double>(std::filesystem::file_size(checkpoint_.path())),
-                           seconds_since(begun)));
+                           1e-6 * static_cast<double>(bytes), seconds));
 }
 
 template <int D, class Real>

@@ -1,10 +1,9 @@
 // A simulation on its way from the start or a checkpoint to the end, to --until or to a signal.
 #pragma once
 
-#include <chrono>
-
 #include "checkpoint.h"
 #include "core/progress.h"
+#include "facts.h"
 #include "log.h"
 #include "records.h"
 #include "schedule.h"
@@ -12,16 +11,12 @@
 
 namespace tidewater {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start);
-
 template <int D, class Real>
 class Run {
 public:
-    // `earlier` is what a checkpoint held; wall time counts from `started` on.
+    // `earlier` is what a checkpoint held.
     Run(const StageContext& context, mpm::Simulation<D, Real>& simulation, Checkpoint& checkpoint,
-        Records<D, Real>& records, Log& log, const RunState& earlier, Clock::time_point started);
+        Records<D, Real>& records, Facts<D, Real>& facts, Log& log, const RunState& earlier);
 
     // False if --until ended it. Throws an Error with the exit code 128 + the signal if that did.
     bool to_end();
@@ -41,12 +36,11 @@ private:
     mpm::Simulation<D, Real>& s_;
     Checkpoint& checkpoint_;
     Records<D, Real>& records_;
+    Facts<D, Real>& facts_;
     Log& log_;
     Schedule rows_, frames_;
     Progress progress_;
     bool wrote_;  // what was due at this time, now or before the checkpoint
-    double earlier_seconds_;
-    Clock::time_point started_;
     Clock::time_point last_save_ = Clock::now();
 };
 

@@ -83,6 +83,7 @@ mpm::Boundaries<D> make_boundaries(const scene::Scene& scene, const Ground& grou
     return boundaries;
 }
 
+// In the order of the scene.
 template <int D>
 std::vector<mpm::RigidStart<D>> make_blocks(const scene::Scene& scene) {
     std::vector<mpm::RigidStart<D>> blocks;

@@ -76,7 +76,7 @@ for threads in 1 2 5; do
         stage "$name" tiny_glacier.toml "on_$threads" --threads "$threads" --set particles.pattern=blue_noise
         expect_code 0
     done
-    rm "on_$threads/simulate/log"
+    rm "on_$threads/simulate/log" "on_$threads/simulate/run.json"
     run diff --recursive on_1 "on_$threads"
     expect_code 0
 done

@@ -26,7 +26,7 @@ change() {
 
 case_named "a run without trouble has its cost and no warning of its momentum, mass or end"
 report run
-expect_line "limited by the sound speed"
+expect_line "Steps limited by"
 expect_line "particle-steps/s"
 expect_no_line "Momentum along"
 expect_no_line "Mass drifts"
@@ -62,8 +62,9 @@ case_named "an estimate outside of its validated range is told, once"
 report run
 expect_same "$(grep -c "The impulse-product estimate of the wave is outside" <<<"$output")" 1
 
-case_named "a run whose log is gone has a report without its cost"
-mv run/simulate/log log
+case_named "a run whose facts are gone has a report that says so"
+mv run/simulate/run.json run.json
 report run
 expect_no_line "particle-steps/s"
+expect_line "not recorded: there is no simulate/run.json"
 expect_line "What was run"

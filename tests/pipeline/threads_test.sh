@@ -13,7 +13,7 @@ run_with() {
         run "$bin/tidewater-$stage" tiny.toml --run "$folder" --threads "$threads" "$@"
         expect_code 0
     done
-    rm "$folder/simulate/log" # holds times
+    rm "$folder/simulate/log" "$folder/simulate/run.json" # hold times
 }
 
 for precision in float double; do
