@@ -80,10 +80,6 @@ std::vector<std::uint32_t> ice_by_id(const io::Snapshot& snapshot, std::span<con
     return order;
 }
 
-double particle_spacing(const scene::Scene& scene) {
-    return scene.domain.cell_size / scene.particles.per_axis;
-}
-
 double least_iceberg(const scene::Scene& scene) {
     const double least = scene.postprocess.iceberg_volume;
     return least > 0.0 ? least : std::pow(2.0 * scene.domain.cell_size, scene.dimension);

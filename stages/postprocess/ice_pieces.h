@@ -25,9 +25,6 @@ std::span<const std::uint32_t> particle_ids(const io::Snapshot& snapshot, std::v
 // The places of the ice in a snapshot whose particles have these ids, in the order of ids.
 std::vector<std::uint32_t> ice_by_id(const io::Snapshot& snapshot, std::span<const std::uint32_t> ids);
 
-// m, of the particles of the scene.
-double particle_spacing(const scene::Scene& scene);
-
 // Least volume of an iceberg that is followed, m³ (2D: m²).
 double least_iceberg(const scene::Scene& scene);
 

@@ -10,12 +10,8 @@
 #include "common/stage.h"
 #include "core/error.h"
 #include "io/hdf5_file.h"
-<<<<<<< HEAD
 #include "mpm/state/simulation.h"
-=======
-#include "mpm/simulation.h"
 #include "tally.h"
->>>>>>> wt-facts
 
 namespace tidewater {
 

@@ -34,17 +34,6 @@ void write_end(const Facts<D, Real>& facts, const std::exception& error) {
         facts.write(stopped ? "stopped" : "failed", error.what());
     } catch (const OutputError&) {  // the error itself is told, and says more
     }
-<<<<<<< HEAD
-    log.line(shares +
-             format("; %.0f %% of the run went into output", 100.0 * std::max(0.0, 1.0 - total / seconds)));
-    log.line(
-        format("ledger: energy %.6g J at the start, %+.3g J since, at most %+.3g J above it; momentum open "
-               "by %.2g kg m/s of %.3g",
-               records.start_energy(), records.energy() - records.start_energy(),
-               records.highest_energy() - records.start_energy(), records.momentum_residual(),
-               std::abs(s.accounts.gravity_impulse)));
-=======
->>>>>>> wt-facts
 }
 
 // Runs what start or checkpoint gave; the records begin anew or go on likewise.

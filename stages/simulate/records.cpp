@@ -271,15 +271,10 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     if (bodies_) bodies_->append(s);
 
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
-<<<<<<< HEAD
-    energy_ = ledger.kinetic + ledger.gravitational + ledger.elastic + s.accounts.outflow.energy -
-              s.accounts.boundary_work;
-    if (first_row_) start_energy_ = highest_energy_ = energy_;
-    first_row_ = false;
-    highest_energy_ = std::max(highest_energy_, energy_);
-    Vector<D, double> residual = ledger.momentum + s.accounts.outflow.momentum - s.accounts.wall_impulse;
-    residual[D - 1] -= s.accounts.gravity_impulse;
-    momentum_residual_ = residual.norm();
+    const double energy =
+        ledger.kinetic + ledger.gravitational + ledger.elastic + s.accounts.outflow.energy - s.accounts.boundary_work;
+    if (first_row_) start_energy_ = highest_energy_ = energy;
+    highest_energy_ = std::max(highest_energy_, energy);
 
     row = {s.time, static_cast<double>(s.step), ledger.mass};
     row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
@@ -287,21 +282,7 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     row.insert(row.end(), {s.accounts.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
                            s.accounts.boundary_work, s.accounts.outflow.mass});
     row.insert(row.end(), s.accounts.outflow.momentum.begin(), s.accounts.outflow.momentum.end());
-    row.insert(row.end(), {s.accounts.outflow.energy, energy_});
-=======
-    const double energy =
-        ledger.kinetic + ledger.gravitational + ledger.elastic + s.outflow.energy - s.boundary_work;
-    if (first_row_) start_energy_ = highest_energy_ = energy;
-    highest_energy_ = std::max(highest_energy_, energy);
-
-    row = {s.time, static_cast<double>(s.step), ledger.mass};
-    row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
-    row.insert(row.end(), s.wall_impulse.begin(), s.wall_impulse.end());
-    row.insert(row.end(), {s.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
-                           s.boundary_work, s.outflow.mass});
-    row.insert(row.end(), s.outflow.momentum.begin(), s.outflow.momentum.end());
-    row.insert(row.end(), {s.outflow.energy, energy});
->>>>>>> wt-facts
+    row.insert(row.end(), {s.accounts.outflow.energy, energy});
     ledger_.append(row);
     if (first_row_) first_ledger_row_ = row;
     last_ledger_row_ = row;
