@@ -10,6 +10,10 @@ namespace tidewater::geometry {
 
 using Point = Vector<3, double>;
 
+struct Extent {
+    Point low, high;  // m; what it holds lies between
+};
+
 struct Box {
     Point center = Point::Zero();
     Point half_size = Point::Zero();

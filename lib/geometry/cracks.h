@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/level_set.h"
+#include "geometry/box.h"
 
 namespace tidewater::geometry {
 

@@ -14,12 +14,8 @@
 
 namespace tidewater::geometry {
 
-struct Extent {
-    Point low, high;  // m; the surface lies between
-};
-
-// A level set of the given voxel size (m) and three voxels of band on each side. signed_distance is called in
-// parallel.
+// A level set of the given voxel size (m) and three voxels of band on each side, whose surface lies within
+// the extent. signed_distance is called in parallel.
 openvdb::FloatGrid::Ptr make_level_set(const std::string& name, double voxel_size, const Extent& extent,
                                        const std::function<double(const Point&)>& signed_distance);
 

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "geometry/box.h"
-#include "geometry/level_set.h"
 #include "geometry/polygon.h"
 
 namespace tidewater::geometry {
@@ -27,8 +26,8 @@ Solid without(Solid from, Solid taken);
 // By a tree of cells from `cell` (m) down to cell/2^levels, of which those that the surface crosses count by
 // the share below a plane at the body's value and slope in their middle. Measured (solid_test.cpp,
 // height_solid_test.cpp) at cells/4: a box along the cells 1e-15, a turned box 1e-4, a ball of 10 cells'
-// radius within 1e-4 of its volume, a fjord's ice 3e-4 (4e-5 at cells/8); a disc at cells/32 6e-6. Same result
-// on any number of threads.
+// radius within 1e-4 of its volume, a fjord's ice 3e-4 (4e-5 at cells/8); a disc at cells/32 6e-6. Same
+// result on any number of threads.
 double volume(const Solid& solid, const Extent& extent, double cell, int levels, int dimension);
 
 }  // namespace tidewater::geometry

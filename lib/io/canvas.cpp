@@ -38,6 +38,12 @@ void Canvas::blend(int x, int y, Color color, double opacity) {
     if (x < 0 || y < 0 || x >= width_ || y >= height_ || opacity <= 0.0) return;
     Color& pixel = pixels_[index(x, y)];
     std::uint8_t& below = opacity_[index(x, y)];
+    if (opacity ==
+        1.0) {  // what the formula gives, without its arithmetic: most pixels of a picture are such
+        pixel = color;
+        below = 255;
+        return;
+    }
     const double both = opacity + below / 255.0 * (1.0 - opacity), share = opacity / both;
     pixel = {mix(pixel.red, color.red, share), mix(pixel.green, color.green, share),
              mix(pixel.blue, color.blue, share)};
@@ -50,13 +56,13 @@ std::string Canvas::png(const std::vector<std::pair<std::string, std::string>>& 
     image->SetDimensions(width_, height_, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, opaque ? 3 : 4);
     for (int y = 0; y < height_; ++y) {  // VTK's rows go from the bottom up
+        auto* byte = static_cast<unsigned char*>(image->GetScalarPointer(0, height_ - 1 - y, 0));
         for (int x = 0; x < width_; ++x) {
-            auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, height_ - 1 - y, 0));
             const Color color = at(x, y);
-            pixel[0] = color.red;
-            pixel[1] = color.green;
-            pixel[2] = color.blue;
-            if (!opaque) pixel[3] = opacity_[index(x, y)];
+            *byte++ = color.red;
+            *byte++ = color.green;
+            *byte++ = color.blue;
+            if (!opaque) *byte++ = opacity_[index(x, y)];
         }
     }
     vtkNew<vtkPNGWriter> writer;

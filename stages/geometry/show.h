@@ -1,6 +1,8 @@
 // What the geometry stage writes to be looked at: surfaces and an image for ParaView, and a picture.
 #pragma once
 
+#include <openvdb/openvdb.h>
+
 #include <vector>
 
 #include "bodies.h"

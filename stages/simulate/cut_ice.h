@@ -1,6 +1,8 @@
 // What crevasses and cracks take of the particles of ice.
 #pragma once
 
+#include <openvdb/openvdb.h>
+
 #include <functional>
 #include <memory>
 #include <vector>

@@ -77,7 +77,7 @@ template <int D, class Real>
 void Run<D, Real>::settle(const StopWish& wish) {
     if (!scene_.has("settle")) return;
     if (s_.step == 0 && s_.settling.time == 0.0) begin_settling(s_);
-    if (s_.settling.going == 0) return;
+    if (!s_.settling.going) return;
     const double tolerance = scene_.settle.tolerance;
     while (!settle_step(s_, tolerance)) {
         if (wish.signal() != 0) stop(wish.signal());

@@ -14,7 +14,7 @@
 
 namespace tidewater {
 
-// What chooses Δt (mpm/state/simulation.h): that sound, or what moves, crosses only a part of a cell; that what
+// What chooses Δt (mpm/step/time_step.h): that sound, or what moves, crosses only a part of a cell; that what
 // falls moves at most 0.4 cells; or that the next row or frame is due before a stable step ends.
 enum class TimeStepLimit { sound_in_water, sound_in_ice, motion, falling, output };
 inline constexpr std::array<std::string_view, 5> time_step_limits{"sound_in_water", "sound_in_ice", "motion",

@@ -16,7 +16,7 @@ holds() { awk "BEGIN { exit !($1) }" || fail_case "does not hold: $1"; }
 
 case_named "a glacier goes through all stages and leaves what can be looked at"
 for name in geometry simulate postprocess; do
-    stage "$name" tiny_glacier.toml run
+    stage "$name" tiny_glacier.toml run --threads 2 --set particles.pattern=blue_noise
     expect_code 0
 done
 for file in geometry.vdb surfaces.vtp image.vti scene.png summary.txt cracks.csv scene.toml; do
@@ -71,14 +71,13 @@ expect_code 2
 expect_line "500 m² of the ice, 9.4 %, lies in the ground; set ice.base = \"bed\""
 
 case_named "1, 2 and 5 threads give the same bytes of every file"
-for threads in 1 2 5; do
+for threads in 1 5; do
     for name in geometry simulate; do
         stage "$name" tiny_glacier.toml "on_$threads" --threads "$threads" --set particles.pattern=blue_noise
         expect_code 0
+        run diff --recursive --exclude=log --exclude=run.json "run/$name" "on_$threads/$name"
+        expect_code 0
     done
-    rm "on_$threads/simulate/log" "on_$threads/simulate/run.json"
-    run diff --recursive on_1 "on_$threads"
-    expect_code 0
 done
 
 case_named "another seed gives another glacier"
@@ -87,13 +86,14 @@ run cmp run/geometry/geometry.vdb other/geometry/geometry.vdb
 expect_code 1
 
 case_named "cracks.csv that is missing is told"
-rm on_2/geometry/cracks.csv
-stage simulate tiny_glacier.toml on_2 --set particles.pattern=blue_noise --from start
+rm on_5/geometry/cracks.csv
+stage simulate tiny_glacier.toml on_5 --set particles.pattern=blue_noise --from start
 expect_code 3
 expect_line "cracks.csv"
 
 case_named "elevation models go through all stages, in 3D and along a line"
-coarse=(--set domain.cell_size=25 --set simulate.end_time=1 --set simulate.snapshot_interval=0.5 --set 'crevasses.opening=[25, 30]')
+coarse=(--set domain.cell_size=25 --set simulate.end_time=1 --set simulate.snapshot_interval=0.5 --set 'crevasses.opening=[25, 30]'
+    --set postprocess.picture_width=400)
 for name in geometry simulate postprocess; do
     stage "$name" dem_example.toml dem "${coarse[@]}"
     expect_code 0

@@ -20,14 +20,15 @@ is_ours() { [[ -d lib/$1 || -d stages/$1 || $1 == stages || $1 == lib || $1 == t
 violations=0
 for folder in lib/*/ stages/*/; do
     folder=${folder%/}
+    may=$(allowed "$folder")
     while IFS=: read -r file line include; do
         [[ $include =~ \#[[:space:]]*include[[:space:]]*([\"<])([^\">]+) ]] || continue
         header=${BASH_REMATCH[2]}
         [[ $header == */* ]] || continue # a header of the same folder, or of a library
         target=${header%%/*}
         [[ ${BASH_REMATCH[1]} == '"' ]] || is_ours "$target" || continue
-        [[ " $(allowed "$folder") " == *" $target "* ]] && continue
-        echo "$file:$line: $folder must not include \"$header\"; it may include from: $(allowed "$folder")"
+        [[ " $may " == *" $target "* ]] && continue
+        echo "$file:$line: $folder must not include \"$header\"; it may include from: $may"
         violations=1
     done < <(grep --recursive --line-number --with-filename '^[[:space:]]*#[[:space:]]*include' "$folder" || true)
 done

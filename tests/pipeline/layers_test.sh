@@ -4,12 +4,11 @@ source "$(dirname "$0")/assert.sh"
 project=$1
 layers=$(dirname "$0")/layers.sh
 
-# planted FILE INCLUDE runs the check on a copy of the project in which FILE includes INCLUDE.
+# planted FILE INCLUDE runs the check on a copy of the project in which FILE, and no other, includes INCLUDE.
+mkdir "$work/copy"
+cp -r "$project/lib" "$project/stages" "$work/copy"
 planted() {
-    rm -rf "$work/copy"
-    mkdir "$work/copy"
-    cp -r "$project/lib" "$project/stages" "$work/copy"
-    mkdir -p "$(dirname "$work/copy/$1")"
+    find "$work/copy" -name 'planted.*' -delete
     printf '// planted\n  # include %s\n' "$2" >"$work/copy/$1"
     run bash "$layers" "$work/copy"
 }

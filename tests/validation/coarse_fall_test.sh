@@ -4,7 +4,8 @@ source "$(dirname "$0")/../pipeline/assert.sh"
 project=$1
 bin=$2
 cd "$work" || exit 1
-run make -f "$project/tools/pipeline.mk" SCENE="$project/configs/lab_gravity_fall_coarse.toml" RUN=run BIN="$bin"
+run make -f "$project/tools/pipeline.mk" SCENE="$project/configs/lab_gravity_fall_coarse.toml" RUN=run BIN="$bin" \
+    SET='--set postprocess.picture_width=400' # a hundred pictures, of which the test sees that they are there
 expect_code 0
 
 # column FILE NAME: the values of a CSV column, one per line.
