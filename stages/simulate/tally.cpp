@@ -1,5 +1,7 @@
 #include "tally.h"
 
+#include "mpm/step/time_step.h"
+
 namespace tidewater {
 
 template <int D, class Real>
