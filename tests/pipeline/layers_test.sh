@@ -47,3 +47,14 @@ planted lib/scene/planted.cpp '<io/nothing.h>'
 expect_code 0
 planted lib/core/planted.cpp '<sys/stat.h>'
 expect_code 0
+
+case_named "an upward include between the rooms of the engine is found"
+planted lib/mpm/grid/planted.h '"mpm/state/simulation.h"'
+expect_code 1
+expect_line 'lib/mpm/grid/planted.h:2: lib/mpm/grid must not include from lib/mpm/state; it may from: grid base'
+
+case_named "pairs of the engine that include each other are found"
+planted lib/mpm/step/sort.cpp '"mpm/step/step.h"'
+expect_code 1
+expect_line "include each other in a circle"
+expect_line "lib/mpm/step/sort"

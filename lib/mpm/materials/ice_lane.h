@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "mpm/materials/ice.h"
+#include "mpm/base/batch.h"
 #include "mpm/base/lane_math.h"
 
 namespace tidewater::mpm::ice_lane {
