@@ -104,7 +104,7 @@ simulate cut
 expect_code 0
 expect_line "going on from $checkpoint"
 expect_whole
-run grep --count "particles in" cut/simulate/log
+run grep --count "particles (.*) in .* blocks" cut/simulate/log
 expect_same "$output" 2
 
 case_named "--until stops at rows and frames, and changes no step"
