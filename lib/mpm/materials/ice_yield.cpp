@@ -1,5 +1,4 @@
-// Wolper et al. (2021), eqs. 5 and 6; ice_yield.h gives the formulas. p, q and p0 are in units of κ
-// throughout.
+// Wolper et al. (2021), eqs. 5 and 6; ice_yield.h gives the formulas. Here p, q and p0 are in units of κ.
 #include "mpm/materials/ice_yield.h"
 
 #include <cassert>

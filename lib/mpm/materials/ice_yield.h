@@ -29,8 +29,8 @@ namespace tidewater::mpm {
 // - b stays positive definite: it becomes a convex combination of itself and a multiple of I, scaled.
 // - A particle that is elastic, or on its surface within 64 roundings of p0, keeps the bits of ε and α.
 // - Failed ice (p0 = 0) returns to b = I, and α grows or shrinks by ln J. With capped hardening α stays ≥ α0.
-// - p0 is limited to 0.45 κ, because there is no tip above κ/2. So J² ≥ 0.1 after a return to a tip, and any
-//   trial J² ≤ 0, which rounding of a crushed b may give, is compression beyond the tip.
+// - p0 is limited to 0.45 κ, because there is no tip above κ/2. So J² ≥ 0.1 after any return, and a trial
+//   J² ≤ 0, which rounding may give for a crushed b, is compression beyond the tip.
 // - The trial J² is limited to [1e-4, 1e4]. One step changes α by at most 15, and that only at |ε| = 1e12.
 // Returns IceState bits, with ice_unusable if a trial ε is not finite.
 //     count            a multiple of `lanes`, up to batch_size

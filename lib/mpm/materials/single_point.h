@@ -11,7 +11,7 @@
 //
 // The return to the yield surface is a function of the step, not of the strain. So where a stress is
 // prescribed, the unknown increment x, equal on all axes where it acts, is found by trial: the step is
-// repeated from the state before it, and x is bracketed to 1e-9 of the step:
+// repeated from the state before it until x is bracketed to 1e-9 of the step. x solves
 //
 //     uniaxial               τ_lateral(x) = 0
 //     shear, pressure held   p(x) = P

@@ -1,9 +1,8 @@
-// The mass, momentum and energy of a state. With the accounts of the run (mpm/state/accounts.h),
+// The mass, momentum and energy of a state. Over a run (mpm/state/accounts.h),
 //
-//     momentum(t) = momentum(0) + gravity impulse + wall impulse − outflow      to rounding
-//     kinetic + gravitational + elastic − boundary work + outflow               decreases by the scheme's
-//     loss
-//                                                                               and the work of failing ice
+//     momentum − gravity impulse − wall impulse + outflow            stays constant to rounding
+//     kinetic + gravitational + elastic − boundary work + outflow    decreases by the scheme's loss and by
+//                                                                    what failing ice dissipates
 //
 // where boundary work is that of pushes and pistons, less what a sponge's damping took.
 //
