@@ -226,7 +226,7 @@ std::string summary(const Options& options, const std::vector<PointRow>& rows) {
            text("%.4g", mpm::crack_band_hardening(ice, d, 1.0, 1.0) / ice.hardening) +
            " J/m³ in uniaxial tension, if it does not snap\n" +
            milestone("this path: first yield      ", found.onset) +
-           milestone("           greatest q       ", found.greatest_q) +
+           milestone("           greatest q       ", found.max_q) +
            milestone("           strength is lost ", found.failure) + "           dissipated         " +
            text("%.4g", rows.back().dissipated) + " J/m³\n";
 }

@@ -1,7 +1,7 @@
-// Indices of nodes, blocks and columns along several axes, and their places in flat arrays. In memory the
-// last axis is always the fastest.
+// Indices of nodes, blocks and columns along several axes, and their places in flat arrays. The last axis is
+// always contiguous in memory.
 //
-//     place = Σ_axis at[axis] · stride(axis),   stride(axis) = Π of the widths of the axes behind it
+//     place = Σ_axis at[axis] · stride(axis),   stride(axis) = product of the widths of all later axes
 //
 // Test: tests/unit/mpm/base/index_test.cpp.
 #pragma once
@@ -14,15 +14,15 @@ namespace tidewater::mpm {
 constexpr int power(int base, int exponent) { return exponent == 0 ? 1 : base * power(base, exponent - 1); }
 
 template <int D>
-using Index = std::array<int, static_cast<std::size_t>(D)>;  // other arguments must say D: it is not deduced
+using Index = std::array<int, static_cast<std::size_t>(D)>;  // D cannot be deduced from an Index argument
 
-// The part along `axis` of a place among width^D.
+// The index along `axis` of a place in an array of width^D.
 template <int D>
 constexpr int index_along(int place, int width, int axis) {
     return place / power(width, D - 1 - axis) % width;
 }
 
-// The place of an index among width^D.
+// The place of an index in an array of width^D.
 template <int D>
 constexpr int place_of(const Index<D>& at, int width) {
     int place = 0;
@@ -30,7 +30,7 @@ constexpr int place_of(const Index<D>& at, int width) {
     return place;
 }
 
-// The index of a place among widths[0] × … × widths[D − 1].
+// The index of a place in an array of widths[0] × … × widths[D − 1].
 template <int D>
 constexpr Index<D> index_of(int place, const Index<D>& widths) {
     Index<D> at{};
@@ -38,7 +38,7 @@ constexpr Index<D> index_of(int place, const Index<D>& widths) {
     return at;
 }
 
-// The index of a place among width^D.
+// The index of a place in an array of width^D.
 template <int D>
 constexpr Index<D> index_of(int place, int width) {
     Index<D> at{};
@@ -46,7 +46,8 @@ constexpr Index<D> index_of(int place, int width) {
     return at;
 }
 
-// Offset −1, 0 or 1 along an axis of neighbour k of 3^D, of which the middle one is the thing itself.
+// The offset (−1, 0 or 1) along an axis of neighbour k in a neighbourhood of 3^D, whose middle is the block
+// or node itself.
 template <int D>
 constexpr int neighbour_offset(int k, int axis) {
     return index_along<D>(k, 3, axis) - 1;

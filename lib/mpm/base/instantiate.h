@@ -1,6 +1,6 @@
-// The kinds of simulation that there are: 2D and 3D, each in float and in double.
+// The kinds of simulation: 2D and 3D, each in float and in double.
 //
-// Templates over both are defined in .cpp files and instantiated there:
+// Templates over the dimension and the real type are defined in .cpp files and instantiated there:
 //
 //     #define TIDEWATER_INSTANTIATE(D, Real) template void advance(Simulation<D, Real>&, double);
 //     TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)

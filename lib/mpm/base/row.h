@@ -1,8 +1,8 @@
-// Short vectors that compilers keep in registers: a quad is one node (momentum and mass), a row is four
-// nodes side by side, of which a particle touches three.
+// Short vectors that compilers keep in registers. A quad is one node (momentum and mass); a row is four nodes
+// side by side, of which a particle touches three.
 //
-// They are GCC's and clang's vector types: a + b, a * b and s * a work element by element on any machine; on
-// one with AVX-512 a row of float is one register.
+// They are vector types of GCC and clang: a + b, a * b and s * a work element by element on any machine. With
+// AVX-512 a row of float is one register.
 #pragma once
 
 #include <cstring>

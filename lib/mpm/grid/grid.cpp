@@ -14,16 +14,16 @@
 namespace tidewater::mpm {
 namespace {
 
-// Calls visit.operator()<k>() for the neighbours k in order, so that loops over shared nodes have constant
-// bounds.
+// Calls visit.operator()<k>() for the neighbours k in order. k is a template argument so that the loops over
+// shared nodes have constant bounds.
 template <int D, class Visit>
 void for_each_neighbour(const Visit& visit) {
     [&]<int... k>(std::integer_sequence<int, k...>) { (visit.template operator()<k>(), ...); }
     (std::make_integer_sequence<int, Block<D>::neighbours>{});
 }
 
-// Calls visit(node, tile_node, count) for the runs along the last axis that a block of nodes shares with the
-// tile of its neighbour k. A tile covers the nodes −1 … width + 1 of its own block.
+// Calls visit(node, tile_node, count) for the runs of nodes along the last axis that a block of nodes shares
+// with the tile of its neighbour k. A tile covers the nodes −1 … width + 1 of its own block.
 template <int D, int k, class Visit>
 void for_each_shared_run(const Visit& visit) {
     constexpr int width = Block<D>::width;
@@ -49,7 +49,7 @@ void for_each_shared_run(const Visit& visit) {
     }
 }
 
-// The bits of `number` spread to every D-th place, and back.
+// Spreads the bits of `number` to every D-th bit of a key.
 template <int D>
 BlockKey spread_bits(std::uint32_t number) {
     BlockKey spread = 0;
@@ -57,6 +57,7 @@ BlockKey spread_bits(std::uint32_t number) {
     return spread;
 }
 
+// The inverse of spread_bits: collects every D-th bit of a key.
 template <int D>
 int gather_bits(BlockKey key) {
     std::uint32_t number = 0;
@@ -94,6 +95,7 @@ std::vector<Link> sorted_links(const std::vector<BlockKey>& particle_blocks) {
     return links;
 }
 
+// Copies the values of nodes that existed before. Both lists of blocks are ascending.
 template <int D, class Real>
 void keep_nodes(const std::vector<BlockKey>& old_blocks, const std::vector<Node<Real>>& old_nodes,
                 Grid<D, Real>& grid) {
@@ -142,7 +144,7 @@ void activate(Grid<D, Real>& grid, std::vector<BlockKey> particle_blocks) {
         const auto last = static_cast<std::size_t>(Block<D>::neighbours - 1);
         grid.nodes_of_tile[static_cast<std::size_t>(link.tile)][k] =
             static_cast<int>(grid.node_blocks.size() - 1);
-        grid.tiles_of_node.back()[last - k] = link.tile;  // seen from the node block, the offset is reversed
+        grid.tiles_of_node.back()[last - k] = link.tile;  // the offset is reversed, seen from the node block
     }
     grid.tiles.resize(grid.particle_blocks.size() * Block<D>::tile_size);
     grid.nodes.assign(grid.node_blocks.size() * Block<D>::nodes, Node<Real>::Zero());

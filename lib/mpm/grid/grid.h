@@ -1,10 +1,11 @@
-// The background grid in blocks, only where particles are.
+// The background grid: blocks of nodes, which exist only near particles.
 //
-// The box of the scene is cut into blocks of Block<D>::width cells per axis. Blocks are named by keys that
-// follow the Morton curve: neighbours in space are mostly near in memory, and empty space costs nothing.
-// Blocks that hold particles own a *tile* (their nodes and a rim of the neighbours'); blocks that a tile
-// reaches own *nodes*. Particles are scattered into their own block's tile, and each node then sums its up to
-// 3^D tiles in a fixed order: no two threads write the same number, and a sum never depends on who was first.
+// The box of the scene is divided into blocks of Block<D>::width cells per axis. Their keys follow the Morton
+// curve, so that neighbours in space are mostly near in memory; empty space costs nothing. A block that holds
+// particles owns a *tile*: its nodes and a rim of its neighbours' nodes. A block that a tile reaches owns
+// *nodes*. Particles are scattered into the tile of their own block, and then each node sums the tiles that
+// contain it (up to 3^D) in a fixed order. So no two threads write the same number, and the order of the
+// threads never changes a sum.
 // Test: tests/unit/mpm/grid/grid_test.cpp.
 #pragma once
 
@@ -19,26 +20,26 @@ namespace tidewater::mpm {
 
 using BlockKey = std::uint64_t;
 
-// How a wall mirrors what lies before it (mpm/grid/mirror.h).
+// How a wall mirrors the inside of the box (mpm/grid/mirror.h).
 enum class Mirror { none, slip, stick };
 
 // [axis][0: at the origin, 1: at the far end]
 template <int D>
 using Mirrors = std::array<std::array<Mirror, 2>, static_cast<std::size_t>(D)>;
 
-// How space is numbered. Node n of an axis lies at n Δx; the walls lie at node 0 and node cells[axis].
+// The numbering of space. Node n of an axis lies at n Δx; the walls lie at node 0 and node cells[axis].
 template <int D>
 struct Layout {
     double cell_size = 0.0;  // Δx, m
     Index<D> cells{};        // of the box
     Mirrors<D> mirrors{};
 
-    // The block that holds node n of an axis is n / width + 2 rounded down: particles may reach a cell past a
-    // wall and tiles a block further, and keys are made of numbers ≥ 0.
+    // Node n of an axis belongs to block ⌊n / width⌋ + 2. The 2 keeps block numbers, of which keys are made,
+    // at 0 or above: particles may be up to a cell beyond a wall, and their tiles reach a block further.
     static int first_node(int block_on_axis) { return (block_on_axis - 2) * Block<D>::width; }
 };
 
-// Where node n of a block lies; `block` as block_at gives it.
+// The index in the box of node n of a block; `block` is what block_at returns.
 template <int D>
 Index<D> node_at(const Layout<D>& layout, const Index<D>& block, int n) {
     Index<D> node = index_of<D>(n, Block<D>::width);
@@ -46,11 +47,13 @@ Index<D> node_at(const Layout<D>& layout, const Index<D>& block, int n) {
     return node;
 }
 
-// The Morton key of a block: the bits of its numbers interleaved, the last axis' lowest. Each number must be
-// in [0, 2^31) in 2D and [0, 2^21) in 3D: 2 billion cells per axis in 2D, 8 million in 3D.
+// The Morton key of a block: the bits of its numbers interleaved, the last axis in the lowest bits. Each
+// number must be in [0, 2^31) in 2D and in [0, 2^21) in 3D, which allows for 2 billion cells per axis in 2D
+// and 8 million in 3D.
 template <int D>
 BlockKey block_key(const Index<D>& block);
 
+// The inverse of block_key.
 template <int D>
 Index<D> block_at(BlockKey key);
 
@@ -61,8 +64,9 @@ struct Grid {
     Layout<D> layout;
     std::vector<BlockKey> particle_blocks;  // ascending; each owns a tile
     std::vector<BlockKey> node_blocks;      // ascending; each owns Block<D>::nodes nodes
-    // Per particle block the places in node_blocks of its 3^D neighbours; per node block their places in
-    // particle_blocks, −1 where there is none. Offsets −1, 0, 1 per axis, the last axis fastest.
+    // The 3^D neighbours of each block, ordered by their offsets −1, 0, 1 per axis with the last axis
+    // fastest. nodes_of_tile: for each particle block, their slots in node_blocks. tiles_of_node: for each
+    // node block, their slots in particle_blocks, or −1 for a neighbour without particles.
     std::vector<Neighbours> nodes_of_tile;
     std::vector<Neighbours> tiles_of_node;
     std::vector<Node<Real>> tiles;  // [particle block][Block<D>::tile_size]: momentum and mass
@@ -73,25 +77,25 @@ struct Grid {
     const Node<Real>* block_nodes(std::size_t slot) const { return nodes.data() + slot * Block<D>::nodes; }
 };
 
-// Makes tiles and nodes for these blocks (rising, unique) and links them. Nodes that existed before keep
-// their values, new ones are zero; tiles are unspecified.
+// Makes tiles and nodes for these blocks (ascending, unique) and links them. Nodes that existed before keep
+// their values and new ones are zero; the contents of tiles are unspecified.
 template <int D, class Real>
 void activate(Grid<D, Real>& grid, std::vector<BlockKey> particle_blocks);
 
 // Sums the tiles that reach a block of nodes into `nodes`, neighbour by neighbour in the order of offsets.
-//     tiles_of_node   as in Grid, of this block
-//     tiles           as in Grid
+//     tiles_of_node   entry of Grid::tiles_of_node for this block
+//     tiles           Grid::tiles, or another array with its layout
 template <int D, class Real>
 void sum_tiles(const typename Grid<D, Real>::Neighbours& tiles_of_node, const Node<Real>* tiles,
                Node<Real>* nodes);
 
-// Copies the nodes around particle block `slot` into `tile`, of Block<D>::tile_size nodes.
+// Copies the nodes around particle block `slot` into `tile`, which has Block<D>::tile_size nodes.
 //     nodes   [node block][Block<D>::nodes], e.g. grid.nodes
 template <int D, class Real>
 void load_tile(const Grid<D, Real>& grid, const std::vector<Node<Real>>& nodes, std::size_t slot,
                Node<Real>* tile);
 
-// Turns the momenta of one block's nodes into velocities and adds `kick` (m/s) to the last component; nodes
+// Turns the momenta of one block's nodes into velocities and adds `kick` (m/s) to their last component. Nodes
 // without mass become zero.
 template <int D, class Real>
 void momentum_to_velocity(Real kick, Node<Real>* nodes);

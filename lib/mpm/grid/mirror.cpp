@@ -5,7 +5,7 @@
 namespace tidewater::mpm {
 namespace {
 
-// A mirror in a tile: layers of nodes across an axis, counted in the tile.
+// A mirror in a tile: the numbers in the tile of the layers of nodes beyond it and of their images.
 struct Pane {
     Mirror mirror;
     int axis, beyond, image;
@@ -21,7 +21,7 @@ void for_each_pane(const Layout<D>& layout, const Index<D>& block, const Visit& 
     });
 }
 
-// Calls visit(node beyond, its image) for all nodes of a tile that lie just beyond one mirror.
+// Calls visit(node beyond, its image) for all nodes of a tile in the layer just beyond one mirror.
 template <int D, class Visit>
 void for_each_pair(const Pane& pane, const Visit& visit) {
     const int stride = power(Block<D>::tile_width, D - 1 - pane.axis);
@@ -32,7 +32,7 @@ void for_each_pair(const Pane& pane, const Visit& visit) {
     }
 }
 
-// S as factors of a node's lanes.
+// The diagonal of S, as factors of a node's lanes.
 template <class Real>
 Node<Real> signs(const Pane& pane, Parity parity) {
     Node<Real> s = Node<Real>::Ones();
@@ -64,7 +64,7 @@ Vector<D, double> fold(const Layout<D>& layout, const Index<D>& block, Parity pa
         for_each_pair<D>(pane, [&](int beyond, int image) {
             Node<Real>& from = tile[beyond];
             const Real mass = from[mass_lane];
-            if (!(mass > Real(0))) return;  // what has gone through another mirror has none either
+            if (!(mass > Real(0))) return;  // also skips nodes that another mirror has emptied already
             const Node<Real> reflected = sign * from;
             tile[image] += reflected;
             impulse += in_double<D, Real>(reflected) - in_double<D, Real>(from);
@@ -99,7 +99,7 @@ Vector<D, double> unfolding_impulse(const Layout<D>& layout, const Index<D>& blo
             impulse +=
                 mass * (in_double<D, Real>(velocities[beyond]) - in_double<D, Real>(velocities[image]));
             folded[beyond][folded_mass_lane] =
-                Real(0);  // counted; at a corner it lies beyond the next mirror, too
+                Real(0);  // at a corner the node lies beyond another mirror too and must not count twice
         });
     });
     return impulse;

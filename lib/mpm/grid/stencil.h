@@ -1,12 +1,11 @@
 // The quadratic B-spline stencil and the tile of nodes around a block of cells.
 //
-// Space is cut into blocks of `width` cells per axis. Positions are in cells, relative to their block's first
-// node. A particle touches three nodes per axis, so particles at −½ ≤ X < width + ½ touch the nodes −1 …
-// width + 1: the block's tile. The half cell of margin on each side costs no node and lets particles move
-// before they are sorted again.
+// Space is divided into blocks of `width` cells per axis. Positions are in cells, relative to the first node
+// of their block. Along each axis a particle touches the three nodes n − 1, n and n + 1 with n = ⌊X + ½⌋;
+// their weights are those of core/spline.h at f = X − n ∈ [−½, ½).
 //
-// Along an axis the three are n − 1, n and n + 1 with n = ⌊X + ½⌋, and their weights are those of
-// core/spline.h at f = X − n ∈ [−½, ½).
+// Particles at −½ ≤ X < width + ½ thus touch the nodes −1 … width + 1, the tile of the block. The margin of
+// half a cell on each side needs no further nodes, and it lets particles move before they are sorted again.
 #pragma once
 
 #include <cassert>
@@ -23,22 +22,22 @@ struct Block {
     static constexpr int nodes = power(width, D);
     static constexpr int tile_width = width + 3;
     static constexpr int tile_nodes = power(tile_width, D);
-    // In memory a tile has at least one node after its last: kernels touch four nodes in a row where a
-    // particle has three.
+    // In memory a tile has at least one spare node at its end, because kernels touch four nodes in a row
+    // where a particle has three.
     static constexpr int tile_size = (tile_nodes + 4) / 4 * 4;
     static constexpr int neighbours = power(3, D);  // itself included
 };
 
-// How far, in cells and along any axis, a particle may move after it was sorted. Less than ½ by a rounding
-// reserve.
+// Max. distance, in cells along any axis, that a particle may move after it was sorted: ½ less a reserve for
+// rounding.
 inline constexpr double sorting_margin = 0.49;
 
 // Four numbers of a node. Lanes 0 … D − 1 are a vector: momentum before the nodes are updated, velocity
-// afterwards. What the other lanes hold depends on where the node stands:
+// afterwards. The special lanes below depend on where the node is stored:
 //
-//     nodes of the grid, tiles that particles are scattered to    lane 3: mass
-//     tiles of velocities that particles gather from              lane 3: crowding (mpm/step/crowding.h)
-//     tile nodes beyond a mirror, after folding                   lane 0: the mass that was there
+//     nodes of the grid, tiles that particles are scattered to    mass_lane: mass
+//     tiles of velocities that particles gather from              crowding_lane: see mpm/step/crowding.h
+//     tile nodes beyond a mirror, after folding                   folded_mass_lane: the mass before folding
 //                                                                 (mpm/grid/mirror.h)
 template <class Real>
 using Node = Eigen::Array<Real, 4, 1>;

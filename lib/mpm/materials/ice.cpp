@@ -1,7 +1,7 @@
-// Wolper et al. (2021), eqs. 2–4; the formulas stand in ice.h.
+// Wolper et al. (2021), eqs. 2–4; ice.h gives the formulas.
 //
-// Loops have no branch, so that compilers put one particle into each lane. The `restrict`s and local copies
-// of the constants spare the checks for overlap; flags are or-ed whole numbers because a floating-point
+// Loops have no branches, so that compilers put one particle into each lane. `__restrict` and local copies of
+// the constants save run-time checks for overlap. Flags are or-ed integers, because a floating-point
 // reduction would have to keep its order.
 #include "mpm/materials/ice.h"
 
@@ -30,7 +30,7 @@ double IceModel::initial_alpha(int dimension) const {
     return -std::asinh(beta_p0 / beta / bulk_modulus(dimension)) / hardening;
 }
 
-// [(1+2β) + M²/d²] σ² + M² (1−β)(p0/d) σ − M² β p0² = 0
+// The positive root of [(1+2β) + M²/d²] σ² + M² (1−β)(p0/d) σ − M² β p0² = 0.
 double IceModel::uniaxial_strength(int dimension) const {
     const double d = dimension, m2 = friction * friction, p0 = beta_p0 / beta;
     const double a = 1 + 2 * beta + m2 / (d * d), b = m2 * (1 - beta) * p0 / d, c = -m2 * beta_p0 * p0;
@@ -54,17 +54,17 @@ IceConstants<D, Real>::IceConstants(const IceModel& model) {
     beta = static_cast<Real>(model.beta);
     friction2 = static_cast<Real>(model.friction * model.friction);
     xi = static_cast<Real>(model.hardening);
-    least_alpha = static_cast<Real>(model.cap_hardening ? model.initial_alpha(D) : -1e6);
+    min_alpha = static_cast<Real>(model.cap_hardening ? model.initial_alpha(D) : -1e6);
     keep_trace = model.shear_return == ShearReturn::trace;
-    const double largest = std::asinh(0.45);
-    largest_angle = static_cast<Real>(model.cap_hardening ? std::min(angle, largest) : largest);
+    const double limit = std::asinh(0.45);
+    max_angle = static_cast<Real>(model.cap_hardening ? std::min(angle, limit) : limit);
 }
 
 template <int D, class Real>
 void advance_strain(const Column<Real>* __restrict increment, int count, Column<Real>* __restrict strain) {
     assert(is_batch(count));
     for (int p = 0; p < count; ++p) {
-        // GCC puts no particles into lanes around small loops that it leaves rolled.
+        // GCC does not vectorise over particles unless the small inner loops are unrolled.
         const auto a = [&](int i, int j) { return increment[i * D + j][p]; };
         const auto b = [&](int i, int j) { return strain[column<D>(i, j)][p]; };
         Real m[D][D];

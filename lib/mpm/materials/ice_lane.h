@@ -1,6 +1,5 @@
-// One particle of ice as the kernels of ice.cpp and ice_yield.cpp see it: one lane, and no branches.
-//
-// Symbols as in ice.h. Tests: tests/unit/mpm/materials/ice_test.cpp and ice_yield_test.cpp.
+// Formulas for one particle of ice, without branches: one lane of the kernels of ice.cpp and ice_yield.cpp.
+// Symbols are those of ice.h. Tests: tests/unit/mpm/materials/ice_test.cpp and ice_yield_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +9,10 @@
 
 namespace tidewater::mpm::ice_lane {
 
+// Whether a kernel can work on `count` lanes.
 inline bool is_batch(int count) { return count >= 0 && count <= batch_size && count % lanes == 0; }
 
+// Whether column c holds a diagonal element of a symmetric tensor.
 template <int D>
 constexpr bool is_diagonal(int c) {
     return c == 0 || c == symmetric_size<D> - 1 || (D == 3 && c == 3);
@@ -76,11 +77,13 @@ inline Real distortion(const Real* dev, Real dev2, Real r) {
     return r * r * (second + r * third);
 }
 
-// J² − 1 held within the range in which J^(−2/d) is of use, and J^(−2/d) of it.
+// J² − 1 limited to the range in which J^(−2/d) is usable.
 template <class Real>
 inline Real clamp_volume(Real volume) {
     return std::min(std::max(volume, Real(1e-4 - 1)), Real(1e4 - 1));
 }
+
+// J^(−2/d) for volume = J² − 1 within that range.
 template <int D, class Real>
 inline Real inverse_stretch2(Real volume) {
     const Real j2 = Real(1) + volume;
@@ -88,7 +91,7 @@ inline Real inverse_stretch2(Real volume) {
     return inverse_cbrt(j2);
 }
 
-// (1 + volume)^(1/d) − 1 without cancellation: t^d − 1 = (t − 1)(t^(d−1) + … + 1).
+// t − 1 with t = (1 + volume)^(1/d), without cancellation because t^d − 1 = (t − 1)(t^(d−1) + … + 1).
 template <int D, class Real>
 inline Real stretch2_minus_1(Real volume) {
     if constexpr (D == 2) return volume / (Real(1) + lane_sqrt(Real(1) + volume));
@@ -97,7 +100,7 @@ inline Real stretch2_minus_1(Real volume) {
     return volume / (Real(1) + t + t * t);
 }
 
-// τ = shear dev b + pull I.
+// Stores τ = shear dev b + pull I of particle p.
 template <int D, class Real>
 inline void store_stress(const Split<D, Real>& b, Real shear, Real pull, Column<Real>* kirchhoff, int p) {
     for (int c = 0; c < symmetric_size<D>; ++c)

@@ -1,8 +1,8 @@
-// Ice as one of the engine's materials: the entry of the table in mpm/materials/materials.h.
+// Ice in the table of materials (mpm/materials/materials.h).
 //
-// A step of a particle, symbols as in mpm/materials/ice.h:
+// The step of a particle, with the symbols of mpm/materials/ice.h:
 //
-//     b ← (I + Δt C) b (I + Δt C)ᵀ,  then back to the yield surface where ice may fracture
+//     b ← (I + Δt C) b (I + Δt C)ᵀ,  then the return to the yield surface if ice may fracture
 //     ∂(m v)/∂x · Δx  −=  (4 Δt'/Δx) V0 τ                   mpm/particles/transfer.h
 #pragma once
 
@@ -30,7 +30,7 @@ struct IceMaterial {
         return parameters.ice;
     }
 
-    // Columns of `count` intact particles at rest without load.
+    // Makes the columns of `count` intact particles without stress.
     static void make_columns(const IceModel& ice, std::size_t count, Particles<D, Real>& particles) {
         for (auto& column : particles.strain) column.assign(count, Real(0));
         if (!ice.fracture) return;
@@ -38,10 +38,10 @@ struct IceMaterial {
         particles.failure_time.assign(count, std::numeric_limits<Real>::infinity());
     }
 
-    // Of P waves, m/s.
+    // The speed of P waves, m/s.
     static double sound_speed(const IceModel& ice, const Findings&) { return ice.wave_speed(D); }
 
-    // J, of particle p.
+    // The elastic energy of particle p, J.
     static double stored_energy(const IceModel& ice, const Particles<D, Real>& particles, std::size_t p) {
         std::array<double, static_cast<std::size_t>(symmetric_size<D>)> strain;
         for (std::size_t c = 0; c < strain.size(); ++c)
@@ -49,8 +49,8 @@ struct IceMaterial {
         return particles.volume * ice_energy<D>(ice, strain);
     }
 
-    // What is wrong with the finite state of particle p; null if nothing is. Ice that may fail bears
-    // anything.
+    // What is wrong with the state of particle p, whose numbers are finite; null if nothing is. For ice that
+    // may fail, any strain is usable.
     static const char* complaint(const Particles<D, Real>& particles, std::size_t p, bool may_fail) {
         if (may_fail || !beyond_elastic(particles, p)) return nullptr;
         return " is strained beyond what elastic ice can bear, as ice is without the effect \"fracture\" and "
@@ -65,13 +65,13 @@ struct IceMaterial {
         return ice_stress<D, Real>(IceConstants<D, Real>(IceModel{}), strain, lanes, stress) & ice_unusable;
     }
 
-    // What the blocks of one step share.
+    // The constants of one step, the same for all blocks.
     struct Step {
         IceConstants<D, Real> ice;
         Real cells_per_speed;  // Δt/Δx
         double impulse;        // 4 Δt'/Δx, s/m: gradient of momentum per stress and volume
-        bool fracture;         // ice may fail
-        Real end;              // of the step, s
+        bool fracture;         // ice may fail in this step
+        Real end;              // s, end of the step
 
         Step(const IceModel& model, double /*gravity*/, double cell_size, const Interval& interval)
             : ice(model),
@@ -125,6 +125,7 @@ struct IceMaterial {
             }
         }
 
+        // Sets the failure time of particles that have just failed.
         void note_failures(const Column<Real>& alpha, int count, Real* failure_time) const {
             for (int p = 0; p < count; ++p) {
                 if (alpha[p] >= Real(0)) failure_time[p] = std::min(failure_time[p], step.end);

@@ -1,4 +1,4 @@
-// Wolper et al. (2021), eqs. 5 and 6; the formulas stand in ice_yield.h. p, q and p0 are over κ throughout.
+// Wolper et al. (2021), eqs. 5 and 6; ice_yield.h gives the formulas. Here p, q and p0 are in units of κ.
 #include "mpm/materials/ice_yield.h"
 
 #include <cassert>
@@ -12,25 +12,26 @@ namespace {
 
 using namespace ice_lane;
 
-// What the first pass leaves for the second.
+// What find_yielding hands to return_yielding.
 template <class Real>
 struct Trial {
     Column<Real> shape;    // J^(−2/d)
-    Column<Real> p0;       // over κ
-    Column<Real> outside;  // −1 beyond a tip, 1 beyond the surface between them, 0 elastic
+    Column<Real> p0;       // in units of κ
+    Column<Real> outside;  // −1 beyond a tip, 1 beyond the surface between the tips, 0 elastic
 };
 
-// M² (p + βp0)(p0 − p), which is q² (1+2β) on the surface, and (q/κ)².
+// M² (p + βp0)(p0 − p), the value of q² (1+2β) on the surface.
 template <int D, class Real>
 inline Real room(const IceConstants<D, Real>& ice, Real pressure, Real p0) {
     return ice.friction2 * std::max((pressure + ice.beta * p0) * (p0 - pressure), Real(0));
 }
+// q² of the trial state.
 template <int D, class Real>
 inline Real q_squared(const IceConstants<D, Real>& ice, Real shape, Real dev2) {
     return ice.q2_factor * (shape * shape) * dev2;
 }
 
-// The elastic answer for all, and who lies outside.
+// Computes the elastic stress of all particles and finds those outside of the yield surface.
 template <int D, class Real>
 unsigned find_yielding(const IceConstants<D, Real>& constants, int count,
                        const Column<Real>* __restrict strain, const Column<Real>& __restrict alpha,
@@ -45,7 +46,7 @@ unsigned find_yielding(const IceConstants<D, Real>& constants, int count,
         const Real shape = inverse_stretch2<D>(volume);
         store_stress(b, ice.mu * shape, ice.half_kappa * b.volume, kirchhoff, p);
 
-        const Real p0 = small_sinh(std::min(ice.xi * std::max(-alpha[p], Real(0)), ice.largest_angle));
+        const Real p0 = small_sinh(std::min(ice.xi * std::max(-alpha[p], Real(0)), ice.max_angle));
         const Real reach = p0 + tolerance * p0;
         const bool tip = (pressure > reach) | (pressure < -ice.beta * reach);
         const bool shear =
@@ -59,7 +60,7 @@ unsigned find_yielding(const IceConstants<D, Real>& constants, int count,
     return (yielded != 0 ? ice_yielded : 0u) | (unusable != 0 ? ice_unusable : 0u);
 }
 
-// The three cases for all, kept where a particle lies outside.
+// Computes the return of all particles and keeps it for those outside of the yield surface.
 template <int D, bool keep_trace, class Real>
 void return_yielding(const IceConstants<D, Real>& constants, int count, const Trial<Real>& __restrict trial,
                      Column<Real>* __restrict strain, Column<Real>& __restrict alpha,
@@ -75,7 +76,8 @@ void return_yielding(const IceConstants<D, Real>& constants, int count, const Tr
         const Real ratio = lane_sqrt(room(ice, pressure, p0) / (ice.one_plus_two_beta * q2));  // r
         const Real norm = lane_sqrt(b.dev2);
 
-        // b / (1 + mean) = I + dev/(1 + mean). Scaled by t so that det b is right: t^d (1 + rest) = J².
+        // The new b is t (I + shrink dev), because b / (1 + mean) = I + dev/(1 + mean). Its scale t makes
+        // det b right: t^d (1 + rest) = J².
         const Real shrink = tip ? Real(0) : ratio / (Real(1) + b.mean);
         const Real rest = distortion<D>(b.dev, b.dev2, shrink);
         const Real at_tip = pressure > Real(0) ? Real(-2) * p0 : Real(2) * tensile;
@@ -92,13 +94,13 @@ void return_yielding(const IceConstants<D, Real>& constants, int count, const Tr
         }
         const Real keep = (Real(1) + new_mean) * shrink;
 
-        // One logarithm for both rules.
+        // The rules of α for tips and shear share one logarithm.
         const Real gain =
             tip ? (volume - at_tip) / (Real(1) + at_tip) : (norm - ratio * norm) / (Real(1) + ratio * norm);
         const Real half_log = Real(0.5) * lane_log1p(gain);
         const bool hardens = !tip & (pressure > Real(0.5) * (p0 - tensile));
         const Real old_alpha = alpha[p];
-        const Real new_alpha = std::max(old_alpha + (hardens ? -half_log : half_log), ice.least_alpha);
+        const Real new_alpha = std::max(old_alpha + (hardens ? -half_log : half_log), ice.min_alpha);
         alpha[p] = elastic ? old_alpha : new_alpha;
 
         const Real shear = ice.mu * new_shape * keep;  // 0 at a tip

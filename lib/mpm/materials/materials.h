@@ -1,13 +1,13 @@
-// The table of materials: every material whose particles the engine steps, once each.
+// The table of materials: each material of particles that the engine advances is listed once.
 //
-// A new one is a header of its own with an entry like WaterMaterial or IceMaterial, and a word in `Materials`
-// below. An entry M says
+// A new material is a header of its own with an entry like WaterMaterial or IceMaterial, and a word in
+// `Materials` below. An entry M provides
 //
 //     M::material                            the number that snapshots store (core/types.h)
-//     M::model(parameters)                   where its constants stand in the parameters of a run
-//     M::make_columns(model, count, to)      which columns of Particles it keeps, at rest
-//     M::sound_speed(model, findings)        the greatest speed of its waves, m/s
-//     M::stored_energy(model, particles, p)  of one particle, J
+//     M::model(parameters)                   its constants in the parameters of a run
+//     M::make_columns(model, count, to)      makes the columns of Particles that it keeps, at rest
+//     M::sound_speed(model, findings)        max. speed of its waves, m/s
+//     M::stored_energy(model, particles, p)  elastic energy of one particle, J
 //     M::complaint(particles, p, may_fail)   what makes a state unusable
 //     M::Step(model, gravity, cell size, interval)  the constants of one step
 //     M::Kernel{particles, step}             update(first, count, batch) of the pass, and its findings()
@@ -27,7 +27,7 @@ namespace tidewater::mpm {
 template <int D, class Real>
 using Materials = std::tuple<WaterMaterial<D, Real>, IceMaterial<D, Real>>;
 
-// Calls visit(std::type_identity<M>{}) with the entry of a material, if it has one.
+// Calls visit(std::type_identity<M>{}) with the entry M of a material, if it has one.
 template <int D, class Real, class Visit>
 void with_material(Material material, const Visit& visit) {
     [&]<class... M>(std::type_identity<std::tuple<M...>>) {

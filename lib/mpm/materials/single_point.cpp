@@ -12,7 +12,7 @@
 namespace tidewater::mpm {
 namespace {
 
-// A model with what the kernels need of it.
+// A model with the constants that the kernels use.
 template <int D, class Real>
 struct Law {
     const IceModel& model;
@@ -22,12 +22,12 @@ struct Law {
     explicit Law(const IceModel& of) : model(of), constants(of) {}
 
     double p0(Real alpha) const {
-        const Real angle = std::min(constants.xi * std::max(-alpha, Real(0)), constants.largest_angle);
+        const Real angle = std::min(constants.xi * std::max(-alpha, Real(0)), constants.max_angle);
         return kappa * std::sinh(static_cast<double>(angle));
     }
 };
 
-// The column of a principal value.
+// The column of the principal value along `axis`.
 template <int D>
 std::size_t diagonal(int axis) {
     return static_cast<std::size_t>(ice_lane::column<D>(axis, axis));
@@ -68,7 +68,8 @@ YieldCase applied_case(const Law<D, Real>& law, Real old_alpha, const std::array
     return p > 0.5 * (1 - beta) * p0 ? YieldCase::hardening : YieldCase::softening;
 }
 
-// The kernels work on whole lanes; the point is lane 0, the others rest. Energies are left as they are.
+// Advances all but the energies of a point. The kernels work on whole rows of lanes: the point is lane 0, and
+// the other lanes stay at rest.
 template <int D, class Real>
 void apply_kernels(const Law<D, Real>& law, const std::array<double, D>& log_stretch,
                    IcePoint<D, Real>& point) {
@@ -108,7 +109,7 @@ void advance_point(const Law<D, Real>& law, const std::array<double, D>& log_str
         point.dissipated += work - (energy<D, Real>(law, point.strain) - energy<D, Real>(law, before.strain));
 }
 
-// The increments of a step by `h`, with the unknown x that has_unknown tells of.
+// The logarithmic stretches of a step by `h`. `x` is the unknown increment, used if has_unknown.
 template <int D>
 std::array<double, D> increments(LoadPath path, double h, double x) {
     std::array<double, D> log_stretch{};
@@ -125,20 +126,20 @@ std::array<double, D> increments(LoadPath path, double h, double x) {
     return log_stretch;
 }
 
+// Whether a stress is prescribed, so that an increment must be found.
 bool has_unknown(const Loading& loading) {
     return loading.path == LoadPath::uniaxial || (loading.path == LoadPath::shear && loading.held_pressure);
 }
 
-// What the unknown is to make zero; rises with it.
+// The function of the unknown increment whose root is wanted; it increases with the increment.
 template <int D, class Real>
 double excess(const Loading& loading, const IcePoint<D, Real>& point) {
     if (loading.path == LoadPath::uniaxial) return point.stress[D - 1];
     return *loading.held_pressure - pressure<D>(point.stress);
 }
 
-// The root of a rising f, by turns of false position (which finds it where f is nearly straight) and
-// bisection (which finds it anywhere). 0 if f(0) is; −reach if f is negative, or positive, up to `limit` on
-// both sides.
+// The root of an increasing f, by alternating false position (fast where f is nearly linear) and bisection
+// (always converges). Returns 0 if f(0) = 0, and −reach if f has the same sign up to `limit` on both sides.
 template <class Function>
 double root(const Function& f, double reach, double limit) {
     if (f(0.0) == 0.0) return 0.0;
@@ -167,7 +168,7 @@ double find_unknown(const Law<D, Real>& law, const Loading& loading, double h,
         apply_kernels<D, Real>(law, increments<D>(loading.path, h, x), tried);
         return excess(loading, tried);
     };
-    // Through the whole surface and back, or to where the held pressure is far behind.
+    // The bracket may grow until it spans the whole yield surface and the held pressure several times.
     const double pressures = 4 * (law.p0(point.alpha) + std::abs(loading.held_pressure.value_or(0.0)));
     return root(excess_of, std::abs(h), 1024 * std::abs(h) + pressures / law.kappa);
 }
@@ -229,7 +230,7 @@ Milestones find_milestones(const std::vector<PointRow>& rows) {
     Milestones found;
     for (const PointRow& row : rows) {
         if (!found.onset && row.applied != YieldCase::elastic) found.onset = row;
-        if (!found.greatest_q || row.q > found.greatest_q->q) found.greatest_q = row;
+        if (!found.max_q || row.q > found.max_q->q) found.max_q = row;
         if (!found.failure && row.alpha >= 0) found.failure = row;
     }
     return found;
@@ -243,7 +244,7 @@ double shear_strength(const IceModel& model) {
     return model.friction * model.beta_p0 / model.beta * std::sqrt(model.beta / (1 + 2 * model.beta));
 }
 
-// uniaxial_strength's equation with −σ for σ.
+// The equation of uniaxial_strength with −σ for σ.
 double uniaxial_crushing_strength(const IceModel& model, int dimension) {
     const double d = dimension, m2 = model.friction * model.friction, p0 = model.beta_p0 / model.beta;
     const double a = 1 + 2 * model.beta + m2 / (d * d), b = m2 * (1 - model.beta) * p0 / d;

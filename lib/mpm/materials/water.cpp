@@ -26,8 +26,8 @@ double j_under_weight(double mass, double gravity, const WaterModel& water) {
 double hydrostatic_j(double h, double gravity, const WaterModel& water) {
     if (h <= 0.0) return 0.0;
     const double head = water.density * gravity * h / water.bulk_modulus();
-    // Newton on f(J) = J^(1−θ) − J − head. f is convex and falling, and f > 0 at the start, where J^(1−θ) is
-    // 1 + head: J grows towards the root without passing it.
+    // Newton's method for f(J) = J^(1−θ) − J − head. f is convex and decreasing, and f > 0 at the start,
+    // where J^(1−θ) = 1 + head. So J grows towards the root without passing it.
     double j = std::expm1(std::log1p(head) / (1.0 - water.exponent));
     for (int iteration = 0; iteration < 100; ++iteration) {
         const double power = std::exp((1.0 - water.exponent) * std::log1p(j));  // J^(1−θ)

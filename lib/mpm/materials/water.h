@@ -5,8 +5,9 @@
 //     c(J) = c0 J^(−(θ−1)/2)            sound speed, m/s;  c0 = √(κw θ / ρw)
 //     W(J) = κw ((J^(1−θ) − 1)/(θ − 1) + J − 1)     stored energy per volume at rest, J/m³;  p = −dW/dJ
 //
-// The state kept per particle is j = J − 1, and everything is evaluated with expm1 and log1p, so that `float`
-// keeps the digits of a strain of 1e-6. Source: lib/mpm/README.md, Water. Test: tests/unit/mpm/materials/water_test.cpp.
+// A particle keeps j = J − 1, and all formulas avoid cancellation near J = 1, so that `float` keeps the
+// digits of a strain of 1e-6. Source: lib/mpm/README.md, Water. Test:
+// tests/unit/mpm/materials/water_test.cpp.
 #pragma once
 
 #include <cmath>
@@ -15,19 +16,20 @@
 
 namespace tidewater::mpm {
 
-// How a particle's volume is kept.
-//     density  J follows the flow's divergence, and slowly the room that the particle has (mpm/step/crowding.h)
-//     paper    the flow's divergence alone; its sum drifts apart from the room, which makes noise
+// How a particle's volume evolves.
+//     density  J follows the divergence of the flow and is slowly drawn to the space that the particle has
+//              on the grid (mpm/step/crowding.h)
+//     paper    J follows the divergence alone; its sum departs from that space, which causes pressure noise
 enum class WaterScheme { density, paper };
 
-// What water does that is stretched, J > 1.
-//     separate  it opens: p = 0 until it has closed again to J = 1
-//     paper     it pulls: p(J) < 0
+// The pressure of stretched water, J > 1.
+//     separate  p = 0: water opens, and has pressure again when it has closed to J = 1
+//     paper     p(J) < 0: water pulls
 enum class WaterTension { separate, paper };
 
 struct WaterModel {
     double density = 1000.0;                  // ρw, kg/m³ at rest
-    double sound_speed = 264.57513110645906;  // c0, m/s; with the defaults κw = 10 MPa, the paper's
+    double sound_speed = 264.57513110645906;  // c0, m/s; the defaults have the paper's κw = 10 MPa
     int exponent = 7;                         // θ, at least 2
     WaterScheme scheme = WaterScheme::density;
     WaterTension tension = WaterTension::separate;
@@ -56,7 +58,7 @@ void water_pressure(const Column<Real>& j, Real bulk_modulus, int exponent, Colu
     for (int p = 0; p < batch_size; ++p) pressure[p] *= -bulk_modulus * j[p];
 }
 
-// The same for a whole batch and the model's tension.
+// p(J), Pa, with the tension of the model, for a whole batch and for one particle.
 template <class Real>
 void water_pressure(const Column<Real>& j, const WaterModel& water, Column<Real>& pressure) {
     water_pressure(j, static_cast<Real>(water.bulk_modulus()), water.exponent, pressure);
@@ -84,22 +86,22 @@ inline double water_energy(double j, const WaterModel& water) {
     return water_energy(j, water.bulk_modulus(), water.exponent);
 }
 
-// Water at rest under its own weight. At depth h (m) below its surface there is as much mass above as in
+// Water at rest under its own weight. The mass above depth h (m) is that of M metres of uncompressed water,
 //
-//     M(h) = (κw / ρw g) [ (1 + (1 − 1/θ) ρw g h / κw)^(θ/(θ−1)) − 1 ]
+//     M(h) = (κw / ρw g) [ (1 + (1 − 1/θ) ρw g h / κw)^(θ/(θ−1)) − 1 ],
 //
-// of water that is not compressed, from dp/dh = ρw g / J(p); p = ρw g M and J = (1 + p/κw)^(−1/θ). M(h)/h − 1
-// is half of the compression below: 0.5 % at c0 = 10 √(g h).
+// which follows from dp/dh = ρw g / J(p) with p = ρw g M and J = (1 + p/κw)^(−1/θ). M(h)/h − 1 is half of the
+// compression at depth h: 0.5 % at c0 = 10 √(g h).
 double weighed_depth(double h, double gravity, const WaterModel& water);       // M(h), m; h where h ≤ 0
 double depth_of_weight(double mass, double gravity, const WaterModel& water);  // h(M), its inverse, m
 double j_under_weight(double mass, double gravity, const WaterModel& water);  // J − 1 below M; 0 where M ≤ 0
 
-// Of the scheme `paper`: j of water at rest at depth h (m) below its surface, gravity in m/s²; 0 above the
-// surface (h ≤ 0).
+// j = J − 1 of water at rest with the scheme `paper`, at depth h (m) below its surface and with gravity in
+// m/s²; 0 above the surface (h ≤ 0).
 //
-// Particles are seeded with equal mass at equal distances, so the grid feels J p and carries ρw: the state in
-// balance solves J p(J) = ρw g h. The pressure itself is then ρw g h / J, too high by less than (c_wave/c0)²:
-// 1 % at c0 = 31 m/s and 1 m of depth, 0.014 % at the paper's c0.
+// Particles are seeded with equal mass at equal distances, so the grid has the density ρw and feels J p. The
+// state in balance therefore solves J p(J) = ρw g h. The pressure itself is then ρw g h / J, which is too
+// high by less than (c_wave/c0)²: 1 % at c0 = 31 m/s and 1 m of depth, 0.014 % at the paper's c0.
 double hydrostatic_j(double h, double gravity, const WaterModel& water);
 
 }  // namespace tidewater::mpm

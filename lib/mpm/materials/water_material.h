@@ -1,6 +1,6 @@
-// Water as one of the engine's materials: the entry of the table in mpm/materials/materials.h.
+// Water in the table of materials (mpm/materials/materials.h).
 //
-// A step of a particle, with r and the limits of the scheme `density` (mpm/step/crowding.h):
+// The step of a particle, with crowding ē (mpm/step/crowding.h), rate r and the limits below:
 //
 //     J ← J (1 + Δt tr C) + r (1/(1 + ē) − J)
 //     ∂(m v)/∂x · Δx  +=  (4 Δt'/Δx) V0 J p(J) I           the force of τ = −J p I, mpm/particles/transfer.h
@@ -19,25 +19,28 @@
 
 namespace tidewater::mpm {
 
-// How the scheme `density` ties J to the room that a particle has (mpm/step/crowding.h).
-inline constexpr double max_crowding_rate = 0.02;  // of J, per step
-// In one step J shrinks by at most a fifth, and it never exceeds 2. Only a lone particle, in a splash or a
-// film upon a wall, would pass these limits: it alone moves its nodes and so keeps whatever divergence it
-// has, until J is 0 or infinite. Its J follows its room later.
+// Max. rate r per step at which the scheme `density` draws J to the particle's space (mpm/step/crowding.h).
+inline constexpr double max_crowding_rate = 0.02;
+// Limits of the scheme `density`: in one step J shrinks by at most a fifth, and it never exceeds 2. Only a
+// lone particle in a splash or in a film on a wall reaches these limits. No other particle moves its nodes,
+// so it keeps its divergence, and J would go to 0 or to infinity. Later, J is drawn to the particle's space
+// again.
 inline constexpr double min_growth = -0.2;  // ΔJ/J
 inline constexpr double max_j = 1.0;        // J − 1
+inline constexpr double unbounded = 1e30;   // stands for no limit on J or ΔJ/J
 
+// Whether J is drawn to the space that a particle has on the grid.
 inline bool keeps_to_room(const WaterModel& water) { return water.scheme == WaterScheme::density; }
 
-// r = min(Δt/√(Δx/g), max_crowding_rate) of a step of dt (s), with gravity g (m/s²) and cells of cell_size
-// (m); 0 for the scheme `paper` and without gravity.
+// The rate r = min(Δt/√(Δx/g), max_crowding_rate) of a step of dt (s), with gravity g (m/s²) and cells of
+// cell_size (m). It is 0 for the scheme `paper` and without gravity.
 inline double crowding_rate(const WaterModel& water, double gravity, double cell_size, double dt) {
     if (!keeps_to_room(water)) return 0.0;
     return std::min(dt * std::sqrt(gravity / cell_size), max_crowding_rate);
 }
 
-// Where water's pressure comes from: here from each particle's own J. A scheme that keeps pressure on cells
-// takes its place as the argument of WaterMaterial::Kernel; nothing else in a step knows of p(J).
+// The source of water's pressure, here each particle's own J. A scheme that keeps pressure on cells replaces
+// this as the argument of WaterMaterial::KernelOf; nothing else in a step uses p(J).
 struct PressureOfParticles {
     template <class Real>
     void operator()(const Column<Real>& j, const WaterModel& water, Column<Real>& pressure) const {
@@ -55,28 +58,28 @@ struct WaterMaterial {
         return parameters.water;
     }
 
-    // Columns of `count` particles at rest without load.
+    // Makes the column of `count` particles without pressure.
     static void make_columns(const WaterModel&, std::size_t count, Particles<D, Real>& particles) {
         particles.j.assign(count, Real(0));
     }
 
-    // The speed of sound where it is greatest, m/s.
+    // The max. speed of sound, that of the most compressed water, m/s.
     static double sound_speed(const WaterModel& water, const Findings& findings) {
         return water.sound_speed * water_sound_speed_ratio(findings.min_j, water.exponent);
     }
 
-    // J, of particle p.
+    // The elastic energy of particle p, J.
     static double stored_energy(const WaterModel& water, const Particles<D, Real>& particles, std::size_t p) {
         return particles.volume * water_energy(static_cast<double>(particles.j[p]), water);
     }
 
-    // What is wrong with the finite state of particle p; null if nothing is.
+    // What is wrong with the state of particle p, whose numbers are finite; null if nothing is.
     static const char* complaint(const Particles<D, Real>& particles, std::size_t p, bool /*may_fail*/) {
         if (particles.j[p] > Real(-1)) return nullptr;
         return " was squeezed to no volume; use a smaller simulate.cfl or a higher water.sound_speed";
     }
 
-    // What the blocks of one step share.
+    // The constants of one step, the same for all blocks.
     struct Step {
         const WaterModel& water;
         Real cells_per_speed;  // Δt/Δx
@@ -88,8 +91,8 @@ struct WaterMaterial {
         Step(const WaterModel& model, double gravity, double cell_size, const Interval& interval)
             : water(model),
               cells_per_speed(static_cast<Real>(interval.dt / cell_size)),
-              min_growth(static_cast<Real>(keeps_to_room(model) ? mpm::min_growth : -1e30)),
-              max_j(static_cast<Real>(keeps_to_room(model) ? mpm::max_j : 1e30)),
+              min_growth(static_cast<Real>(keeps_to_room(model) ? mpm::min_growth : -unbounded)),
+              max_j(static_cast<Real>(keeps_to_room(model) ? mpm::max_j : unbounded)),
               crowding_rate(static_cast<Real>(mpm::crowding_rate(model, gravity, cell_size, interval.dt))),
               impulse(4.0 * interval.next_dt / cell_size) {}
 
@@ -102,14 +105,14 @@ struct WaterMaterial {
         Particles<D, Real>& particles;
         const Step& step;
         Pressure pressure_rule{};
-        Column<Real> min_j{};  // lane by lane: a minimum over lanes would not vectorise
+        Column<Real> min_j{};  // per lane, because a minimum over lanes would not vectorise
 
         Findings findings() const {
             return {.min_j = static_cast<double>(
                         *std::min_element(std::begin(min_j.value), std::end(min_j.value)))};
         }
 
-        // r (1/(1 + ē) − J); 0 where ē is not known, that is infinite.
+        // change = r (1/(1 + ē) − J), or 0 where ē is infinite, which means that it is unknown.
         void volume_correction(const Column<Real>& crowding, const Column<Real>& j,
                                Column<Real>& change) const {
             for (int p = 0; p < batch_size; ++p) {

@@ -64,7 +64,7 @@ BlockKey key_at(const Layout<D>& layout, const Vector<D, double>& point, std::ui
     return block_key<D>(block);
 }
 
-// Where each particle goes when sorted by key, then by place.
+// The new place of each particle in a stable sort by key.
 std::vector<std::uint32_t> order_by_key(const std::vector<BlockKey>& keys) {
     std::vector<std::uint32_t> from(keys.size()), to(keys.size());
     std::iota(from.begin(), from.end(), 0u);
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> order_by_key(const std::vector<BlockKey>& keys) {
     return to;
 }
 
-// begin[slot] = the number of keys below block `slot`.
+// begin[slot] is the number of keys below that of block `slot`.
 std::vector<std::uint32_t> begins(const std::vector<BlockKey>& sorted_keys,
                                   const std::vector<BlockKey>& blocks) {
     std::vector<std::uint32_t> begin(blocks.size() + 1, static_cast<std::uint32_t>(sorted_keys.size()));
@@ -89,13 +89,13 @@ std::vector<std::uint32_t> begins(const std::vector<BlockKey>& sorted_keys,
 
 // ---- sort_into_blocks
 
-// The particles of one body that go from an old block to one of its neighbours.
+// The particles of one body that move from an old block to one of its neighbours (or stay in it).
 struct Move {
     BlockKey to;
     std::uint32_t from;       // old slot
     std::uint32_t neighbour;  // 0 … 3^D − 1
     bool operator<(const Move& other) const {
-        // Not by slot: the order within a block must not depend on where in space the scene lies.
+        // Not by slot, because the order within a block must not depend on where in space the scene lies.
         return to != other.to ? to < other.to : neighbour < other.neighbour;
     }
 };
@@ -103,9 +103,9 @@ struct Move {
 template <int D>
 using Counts = std::array<std::uint32_t, static_cast<std::size_t>(Block<D>::neighbours)>;
 
-// Moves positions into the frames of the blocks that they are in now.
-//     neighbour   [particle] which neighbour of its old block that is
-//     counts      [old slot][neighbour] how many
+// Makes positions relative to the blocks that the particles are in now.
+//     neighbour   [particle] the neighbour of its old block that it is in now, 0 … 3^D − 1
+//     counts      [old slot][neighbour] number of particles
 template <int D, class Real>
 void follow(const Grid<D, Real>& grid, Particles<D, Real>& particles, std::vector<std::uint8_t>& neighbour,
             std::vector<Counts<D>>& counts) {
@@ -153,7 +153,8 @@ std::vector<Move> moves_of(const std::vector<BlockKey>& blocks, const std::vecto
     return moves;
 }
 
-// Turns counts into the place of the first particle of each move, moves in order, and fills begin.
+// Replaces each count by the new place of its move's first particle, going through the sorted moves, and
+// fills begin.
 template <int D>
 void find_places(const std::vector<Move>& moves, const std::vector<BlockKey>& blocks,
                  std::vector<Counts<D>>& counts, std::vector<std::uint32_t>& begin) {

@@ -1,7 +1,7 @@
 // Velocities of particles, read from the grid.
 //
-// Between steps velocities live on the nodes alone (mpm/state/simulation.h); a particle's are v_p = Σ w u and
-// Δx C = 4 Σ w u (x_i − x_p)ᵀ/Δx, as the next step will read them.
+// Between steps only nodes have velocities (mpm/state/simulation.h). A particle's velocity v_p = Σ w u and
+// gradient Δx C = 4 Σ w u (x_i − x_p)ᵀ/Δx are those that the next step will gather.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,12 @@
 
 namespace tidewater::mpm {
 
+// The nodes around one particle block.
 template <int D, class Real>
 using Tile = std::array<Node<Real>, static_cast<std::size_t>(Block<D>::tile_size)>;
 
-// Calls visit(block slot, block, particle, velocity (m/s), velocity gradient Δx C (m/s)) for all particles,
-// blocks in parallel, each block's particles in order.
+// Calls visit(block slot, block, particle, velocity (m/s), velocity gradient Δx C (m/s)) for all particles.
+// Blocks are visited in parallel, the particles of each block in order.
 template <int D, class Real, class Visit>
 void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles, const Visit& visit) {
     parallel_for(grid.particle_blocks.size(), [&](std::size_t slot) {
@@ -34,10 +35,11 @@ void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& partic
     });
 }
 
-// The maximum of √(|v_p|² + ¼ |Δx C_p|²) of a body's particles, m/s. By Bessel's inequality (1 and 2 (x_i −
-// x_p)/Δx are orthonormal under the weights) it is at most √(Σ w |v_i|²), so never above the fastest node's
-// speed, and less by far where that node has but a sliver of a particle's mass. While it stays below Δx/(2Δt)
-// no particle moves half a cell, and |Δt C| < 1: no volume is turned inside out.
+// The maximum of √(|v_p|² + ¼ |Δx C_p|²) over a body's particles, m/s. By Bessel's inequality (1 and
+// 2 (x_i − x_p)/Δx are orthonormal under the weights) it is at most √(Σ w |v_i|²). So it never exceeds the
+// speed of the fastest node, and it is far smaller where that node has only a tiny share of a particle's
+// mass. While it is below Δx/(2Δt), no particle moves half a cell, and |Δt C| < 1, so that no volume is
+// turned inside out.
 template <int D, class Real>
 double max_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
     std::vector<double> max2_of_block(grid.particle_blocks.size());

@@ -1,10 +1,10 @@
-// Particles of one kind, column by column, sorted by block.
+// The particles of one body, stored column by column and sorted by block.
 //
-// What a particle keeps between steps, in bytes for `float` in 2D / 3D:
+// Memory that a particle takes between steps, in bytes for `float` in 2D / 3D:
 //     water    position 8 / 12, j 4, id 4                       16 / 20
 //     ice      position 8 / 12, strain 12 / 24, id 4            24 / 40, elastic
 //              + alpha 4, failure_time 4                        32 / 48, with fracture
-// Velocities and their gradients live on the grid between steps; mpm/particles/motion.h reads them.
+// Between steps velocities and their gradients exist on the grid only; mpm/particles/motion.h reads them.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace tidewater::mpm {
 
-// All particles of one body: equal mass and equal volume at rest. Columns that the material does not need
+// All particles of one body have equal mass and equal volume at rest. Columns that the material does not need
 // stay empty.
 template <int D, class Real>
 struct Particles {
@@ -32,15 +32,15 @@ struct Particles {
     std::vector<Real> j;                                // J − 1; water
     std::array<std::vector<Real>, static_cast<std::size_t>(symmetric_size<D>)> strain;  // ε_b = b − I; ice
     std::vector<Real> alpha;         // α; ice with fracture
-    std::vector<Real> failure_time;  // when α first was 0 or more, s; infinite before; ice with fracture
-    std::vector<std::uint32_t> id;   // kept from the start, whatever the order
+    std::vector<Real> failure_time;  // s, when α first was ≥ 0; infinite before; ice with fracture
+    std::vector<std::uint32_t> id;   // given at the start; never changes
 
-    std::vector<std::uint32_t> begin;  // [particle block] the first particle; one entry more at the end
+    std::vector<std::uint32_t> begin;  // [particle block] its first particle; the last entry is size()
 
     std::size_t size() const { return id.size(); }
 };
 
-// Calls visit(name, column) for every column that has one entry per particle, also empty ones.
+// Calls visit(name, column) for every column that has one entry per particle, including empty columns.
 template <class Particles, class Visit>
 void for_each_column(Particles& particles, const Visit& visit) {
     static constexpr const char* axes[] = {"x", "y", "z"};
@@ -67,7 +67,7 @@ Vector<D, double> local_position(const Particles<D, Real>& particles, std::size_
     return cells;
 }
 
-// A particle's position, m, as seen from node `origin` (of the box's corner by default).
+// A particle's position relative to node `origin`, by default the corner of the box, m.
 template <int D, class Real>
 Vector<D, double> global_position(const Layout<D>& layout, const Index<D>& block,
                                   const Particles<D, Real>& particles, std::size_t p,
@@ -80,8 +80,8 @@ Vector<D, double> global_position(const Layout<D>& layout, const Index<D>& block
     return point;
 }
 
-// Calls visit(first, count, position) for the particles of a block, a batch after the other: particles first
-// … first + count − 1, their positions column by column.
+// Calls visit(first, count, position) for the particles of a block, batch by batch. A batch consists of the
+// particles first … first + count − 1; `position` has one column per axis.
 template <int D, class Real, class Visit>
 void for_each_batch(const Particles<D, Real>& particles, std::size_t slot, const Visit& visit) {
     Column<Stored<Real>> position[D];
@@ -95,8 +95,8 @@ void for_each_batch(const Particles<D, Real>& particles, std::size_t slot, const
     }
 }
 
-// Calls visit(block slot, block, particle) for all particles, blocks in parallel, each block's particles in
-// order.
+// Calls visit(block slot, block, particle) for all particles. Blocks are visited in parallel, the particles
+// of each block in order.
 template <int D, class Real, class Visit>
 void for_each_particle(const Grid<D, Real>& grid, const Particles<D, Real>& particles, const Visit& visit) {
     parallel_for(grid.particle_blocks.size(), [&](std::size_t slot) {

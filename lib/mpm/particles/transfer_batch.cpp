@@ -8,11 +8,12 @@
 namespace tidewater::mpm {
 namespace {
 
-// Within a group of 16 particles, quads lie in the order that a transposition within 128 bits leaves: that of
-// particle 4a + b in place 4b + a.
+// The place of particle p's quad. Within a group of 16 particles, quads are in the order in which a
+// transposition within 128 bits leaves them: that of particle 4a + b is in place 4b + a.
 int quad_place(int p) { return (p & ~15) | ((p & 3) << 2) | ((p >> 2) & 3); }
 
-// Turns four rows of quads (a0 b0 c0 d0 | …) into the rows (a0 a1 a2 a3 | …), … and back.
+// Transposes four rows of quads (a0 b0 c0 d0 | …) into the rows (a0 a1 a2 a3 | …), (b0 b1 b2 b3 | …), … and
+// back.
 template <class Real>
 void transpose(Row<Real>& a, Row<Real>& b, Row<Real>& c, Row<Real>& d) {
     using R = Row<Real>;
@@ -33,7 +34,7 @@ Row<Real> row_at(const Column<Real>& column, int p) {
     return load_row<Real>(column.value + p);
 }
 
-// One quad (x, y, z, w) per particle from columns.
+// Makes one quad (x, y, z, w) per particle from the columns that fill(p, row) loads.
 template <class Real, class Fill>
 void to_quads(Column<Real>* quads, const Fill& fill) {
     for (int p = 0; p < batch_size; p += lanes) {
@@ -44,8 +45,8 @@ void to_quads(Column<Real>* quads, const Fill& fill) {
     }
 }
 
-// The first D numbers of each quad into D columns that lie `stride` columns apart, and the last one into
-// `last` if that is not null.
+// Copies the first D numbers of each quad to D columns, which lie `stride` columns apart, and the last number
+// to `last` if that is not null.
 template <int D, class Real>
 void from_quads(const Column<Real>* quads, Column<Real>* columns, int stride, Column<Real>* last = nullptr) {
     for (int p = 0; p < batch_size; p += lanes) {
@@ -64,7 +65,7 @@ constexpr int stride_y = 4 * Block<D>::tile_width;
 template <int D>
 constexpr int strips_in_row = Block<D>::width + 1;
 
-// Sums over the nodes of one particle: of w u, and of w u times the node's offset along each axis.
+// Sums over the nodes of one particle of w u and of w u times the node's offset along each axis.
 template <int D, class Real>
 struct NodeSums {
     Quad<Real> value, along[D];
@@ -108,8 +109,8 @@ NodeSums<D, Real> sum_nodes(const Real* node, const Real (&wx)[3], [[maybe_unuse
     return sums;
 }
 
-// Adds w (middle + i gx) to the strips of one particle that lie side by side along x; the weights along z are
-// in the rows already.
+// Adds w[i] (middle + i gx), i = −1, 0, 1, to the three strips of one particle that lie side by side along x.
+// The rows contain the weights along z already.
 template <int D, class Real>
 void add_to_strips(const Real (&w)[3], const Row<Real>& middle, const Row<Real>& gx, Real* strip) {
     constexpr int next = 16 * strips_in_row<D> * (D == 2 ? 1 : Block<D>::tile_width);
@@ -127,7 +128,8 @@ void locate(const Column<Stored<Real>>* position, StencilBatch<D, Real>& s) {
             const std::int32_t node = nearest_node(position[axis][p]);
             assert(node >= 0 && node <= Block<D>::width);
             const Real f = from_node(position[axis][p], node);
-            // The tile begins at node −1, the stencil one node below the nearest: tile index and node agree.
+            // The tile begins at node −1 and the stencil one node below the nearest node, so the index of the
+            // stencil's first node in the tile equals the number of the nearest node.
             s.first[p] = s.first[p] * Block<D>::tile_width + node;
             s.strip[p] = s.strip[p] * (axis == D - 1 ? strips_in_row<D> : Block<D>::tile_width) + node;
             s.from_node[axis][p] = f;
@@ -189,7 +191,7 @@ void scatter_batch(Real mass, int count, TransferBatch<D, Real>& b, Strips<D, Re
     const auto& wx = s.weight[0];
     const auto& wy = s.weight[D - 2];
     const R offset = {-1, -1, -1, -1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0};  // k of each quad
-    Column<Real> w[layers][3];  // of the particle's 3^(D−1) strips
+    Column<Real> w[layers][3];  // weights of the particle's 3^(D−1) strips
     for (int layer = 0; layer < layers; ++layer) {
         for (int i = 0; i < 3; ++i) {
             for (int p = 0; p < batch_size; ++p) w[layer][i][p] = D == 2 ? wx[i][p] : wx[i][p] * wy[layer][p];
@@ -221,7 +223,7 @@ void sum_strips(const Strips<D, Real>& strips, Real* tile) {
     constexpr int rows = power(Block<D>::tile_width, D - 1);
     const Real* strip = strips.value;
     for (int row = 0; row < rows; ++row) {
-        Quad<Real> ahead[2] = {};  // what the strips so far give to this node and the next
+        Quad<Real> ahead[2] = {};  // sums of the previous strips for this node and the next
         for (int z = 0; z < strips_in_row<D>; ++z, strip += 16, tile += 4) {
             store(ahead[0] + load_quad<Real>(strip), tile);
             ahead[0] = ahead[1] + load_quad<Real>(strip + 4);

@@ -7,10 +7,10 @@ namespace tidewater::mpm {
 
 namespace {
 
-// The nodes' average pressure, in the first component of their velocity.
+// Nodes with the average pressure around them in the first component of their velocity.
 template <int D, class Real>
 std::vector<Node<Real>> average_on_grid(const Simulation<D, Real>& s) {
-    // Volume takes the place of mass and pressure that of one velocity component: P2G then averages it.
+    // P2G averages the pressure if volume takes the place of mass and pressure that of a velocity component.
     std::vector<Node<Real>> tiles(s.grid.tiles.size(), Node<Real>::Zero());
     parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
         Node<Real>* tile = tiles.data() + slot * Block<D>::tile_size;

@@ -1,13 +1,13 @@
-// Pressure as it is reported.
+// The pressure that frames report.
 #pragma once
 
 #include "mpm/state/simulation.h"
 
 namespace tidewater::mpm {
 
-// [body][particle, in its present order]: the pressure of the water around it, averaged over the
-// grid with the particles' volumes as weights (Pa; 0 where there is no water). A particle's own pressure is
-// noisy.
+// The pressure (Pa) of the water around each particle, [body][particle in its present order]; 0 where there
+// is no water. It is averaged over the grid with the particles' volumes as weights, because the pressure of a
+// single particle is noisy.
 template <int D, class Real>
 std::vector<std::vector<float>> grid_pressure(const Simulation<D, Real>& simulation);
 

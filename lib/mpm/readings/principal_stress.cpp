@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t particles_per_task = 4096;
 
-// Of a symmetric tensor without a trace.
+// The max. eigenvalue of a symmetric tensor whose trace is 0.
 template <int D>
-double greatest_eigenvalue(const double* dev) {
+double max_eigenvalue(const double* dev) {
     if constexpr (D == 2) return std::hypot(dev[0], dev[1]);
     Eigen::Matrix3d tensor;
     tensor << dev[0], dev[1], dev[2], dev[1], dev[3], dev[4], dev[2], dev[4], dev[5];
@@ -28,14 +28,14 @@ double greatest_eigenvalue(const double* dev) {
 }  // namespace
 
 template <int D>
-double greatest_principal_stress(const IceModel& model, const std::array<double, symmetric_size<D>>& strain) {
+double max_principal_stress(const IceModel& model, const std::array<double, symmetric_size<D>>& strain) {
     Column<double> lane[symmetric_size<D>];
     for (int c = 0; c < symmetric_size<D>; ++c) lane[c][0] = strain[static_cast<std::size_t>(c)];
     const Split<D, double> b = split<D>(lane, 0);
     const double volume = clamp_volume(b.volume);
     const double shear = model.shear_modulus() * inverse_stretch2<D>(volume);
     const double pull = 0.5 * model.bulk_modulus(D) * b.volume;
-    return (pull + shear * greatest_eigenvalue<D>(b.dev)) / std::sqrt(1.0 + volume);
+    return (pull + shear * max_eigenvalue<D>(b.dev)) / std::sqrt(1.0 + volume);
 }
 
 template <int D, class Real>
@@ -49,14 +49,14 @@ std::vector<float> principal_stress(const IceModel& model, const Particles<D, Re
             for (std::size_t c = 0; c < strain.size(); ++c) {
                 strain[c] = static_cast<double>(particles.strain[c][p]);
             }
-            stress[p] = static_cast<float>(greatest_principal_stress<D>(model, strain));
+            stress[p] = static_cast<float>(max_principal_stress<D>(model, strain));
         },
         particles_per_task);
     return stress;
 }
 
-template double greatest_principal_stress<2>(const IceModel&, const std::array<double, 3>&);
-template double greatest_principal_stress<3>(const IceModel&, const std::array<double, 6>&);
+template double max_principal_stress<2>(const IceModel&, const std::array<double, 3>&);
+template double max_principal_stress<3>(const IceModel&, const std::array<double, 6>&);
 #define TIDEWATER_INSTANTIATE(D, Real) \
     template std::vector<float> principal_stress(const IceModel&, const Particles<D, Real>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)

@@ -1,12 +1,12 @@
-// The greatest principal stress of ice: where it is greatest, ice under tension cracks first.
+// The maximum principal stress of ice. Under tension, ice cracks first where it is highest.
 //
-//     σ  = τ/J                                    Cauchy stress, Pa; τ and J = √det b as in mpm/materials/ice.h
-//     σ1 = (κ/2)(J² − 1)/J + μ J^(−2/d−1) e1      its greatest eigenvalue; e1: that of dev b
+//     σ  = τ/J                                Cauchy stress, Pa; τ and J = √det b as in mpm/materials/ice.h
+//     σ1 = (κ/2)(J² − 1)/J + μ J^(−2/d−1) e1  its max. eigenvalue; e1: that of dev b
 //
-// Tension is positive. In 2D the stress across the plane is left out: σ1 is the greatest within the plane. J
-// is that of the elastic strain; it is that of the whole strain but for what failing ice has opened. Under
-// uniaxial tension σ1 is that tension; under equal pressure from all sides it is −p/J; beside a wall that the
-// weight presses the ice against, −ρ g h ν/(1−ν) at depth h. Loose ice has 0.
+// Tension is positive. In 2D, σ1 is the maximum within the plane; the stress normal to the plane is left out.
+// J is the elastic volume ratio, which differs from the total one by what failing ice has opened. Under
+// uniaxial tension σ1 is that tension, under equal pressure from all sides −p/J, and in ice that walls
+// confine laterally under its own weight −ρ g h ν/(1−ν) at depth h. It is 0 in loose ice.
 //
 // Test: tests/unit/mpm/readings/principal_stress_test.cpp.
 #pragma once
@@ -19,12 +19,12 @@
 
 namespace tidewater::mpm {
 
-// σ1 of a strain ε = b − I, Pa. J² counts as within [1e-4, 1e4], as in ice_stress.
+// σ1 of a strain ε = b − I, Pa. As in ice_stress, powers of J are taken with J² held within [1e-4, 1e4].
 template <int D>
-double greatest_principal_stress(const IceModel& model, const std::array<double, symmetric_size<D>>& strain);
+double max_principal_stress(const IceModel& model, const std::array<double, symmetric_size<D>>& strain);
 
-// The same of every particle of a body of ice, in their present order: each particle's own, not averaged over
-// the grid. Empty for a body of another material.
+// σ1 of every particle of a body of ice, in their present order and not averaged over the grid, Pa. Empty for
+// a body of another material.
 template <int D, class Real>
 std::vector<float> principal_stress(const IceModel& model, const Particles<D, Real>& particles);
 

@@ -11,20 +11,20 @@
 namespace tidewater::mpm {
 namespace {
 
-constexpr int rim = 3;                // nodes to each side of the nearest
-constexpr double width = 2.0;         // cells, of W's spline
-constexpr double reach = rim + 2.0;   // cells from the point to water that its nodes see, per axis, at most
-constexpr double least_fill = 0.5;    // of what the nodes could hold
-constexpr double least_spread = 0.1;  // cells², variance of the nodes' water along any axis for a plane
+constexpr int rim = 3;               // nodes on each side of the nearest one
+constexpr double width = 2.0;        // cells, of the spline W
+constexpr double reach = rim + 2.0;  // cells, max. distance along any axis of water that counts
+constexpr double min_fill = 0.5;     // filled share of the nodes' volume for an unscaled reading
+constexpr double min_spread = 0.1;   // cells², min. variance of the water's position for fitting a plane
 
-// Sums over the water that one node reaches; places in cells from the sensor.
+// Sums over the water that one node reaches; positions are in cells, relative to the sensor.
 template <int D>
 struct NodeWater {
     double volume = 0.0, pressure = 0.0;  // Σ w V, Σ w V p
     Vector<D, double> place = Vector<D, double>::Zero();
 };
 
-// Node n of the stencil, of `side` nodes per axis, counted from its middle.
+// The offset from the middle of node n in a stencil of `side` nodes per axis.
 template <int D>
 Vector<D, double> offset(int n, int side) {
     Vector<D, double> from;
@@ -68,7 +68,7 @@ struct Sensor {
     }
 };
 
-// What of the nodes around the point lies within the box, roughly: half on a wall.
+// Estimates the share within the box of the space around a point: half of it on a wall, all of it far away.
 template <int D>
 double share_inside(const Layout<D>& layout, const Vector<D, double>& at) {
     double share = 1.0;
@@ -98,11 +98,11 @@ double reading(const Sensor<D>& sensor, const Layout<D>& layout) {
     if (!(total > 0.0)) return 0.0;
     const double filled = total / std::pow(width * layout.cell_size, D) / share_inside(layout, sensor.at);
     const double mean = right[0] / total;
-    if (filled < least_fill) return mean * filled / least_fill;
+    if (filled < min_fill) return mean * filled / min_fill;
     const Vector<D, double> center = normal.template block<D, 1>(1, 0) / total;
     const Matrix<D, double> spread = normal.template block<D, D>(1, 1) / total - center * center.transpose();
     const Eigen::SelfAdjointEigenSolver<Matrix<D, double>> axes(spread, Eigen::EigenvaluesOnly);
-    if (axes.eigenvalues()[0] < least_spread) return mean;
+    if (axes.eigenvalues()[0] < min_spread) return mean;
     return normal.ldlt().solve(right)[0];
 }
 
@@ -113,7 +113,7 @@ bool sees(const Sensor<D>& sensor, const Vector<D, double>& first_node) {
     return (from >= -margin).all() && (from <= Block<D>::width + margin).all();
 }
 
-// The water of one block.
+// Adds the water of one block.
 template <int D, class Real>
 void collect(const Simulation<D, Real>& s, std::size_t slot, const Vector<D, double>& first_node,
              Sensor<D>& sensor) {

@@ -1,5 +1,5 @@
-// What came into a simulation and left it since the start, so that momentum and energy can be balanced
-// against what is there (mpm/state/ledger.h).
+// What entered and left a simulation since the start. With it momentum and energy of the present state can be
+// balanced against those at the start (mpm/state/ledger.h).
 #pragma once
 
 #include <vector>
@@ -8,27 +8,27 @@
 
 namespace tidewater::mpm {
 
-// Water that left through an outlet or a sponge.
+// Water that outlet and sponge drained.
 template <int D>
 struct Outflow {
     double mass = 0.0;                                       // kg
     Vector<D, double> momentum = Vector<D, double>::Zero();  // kg m/s
-    double energy = 0.0;                                     // J, kinetic, gravitational and elastic
+    double energy = 0.0;                                     // J: kinetic, gravitational and elastic
 };
 
 template <int D>
 struct Accounts {
-    Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s that boundaries gave
-    double gravity_impulse = 0.0;                                // kg m/s along the last axis
-    double boundary_work = 0.0;  // J that moving boundaries did, less what sponges took
+    Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s, of all boundaries
+    double gravity_impulse = 0.0;                                // kg m/s, along the last axis
+    double boundary_work = 0.0;  // J, work of moving boundaries less what the sponge's damping took
     Outflow<D> outflow;
 };
 
-// The sponge's account of the water that it still has to take (mpm/step/skim.h).
+// The sponge's account of the water that it still has to drain (mpm/step/skim.h).
 struct Skimming {
-    double time = 0.0;          // s, when it last took water
-    std::vector<double> due;    // [column] m³; empty until it takes for the first time
-    std::vector<double> still;  // [column] m³ in still water; follows from the scene, filled with `due`
+    double time = 0.0;          // s, of the last skimming
+    std::vector<double> due;    // [column] m³ to drain; empty before the first skimming
+    std::vector<double> still;  // [column] m³ in still water, from the scene; filled when `due` is
 };
 
 }  // namespace tidewater::mpm

@@ -1,16 +1,17 @@
-// What a run has of each conserved thing, and where it came from or went.
+// The mass, momentum and energy of a state. Over a run (mpm/state/accounts.h),
 //
-//     momentum(t) = momentum(0) + gravity impulse + wall impulse − outflow      closes to rounding
-//     kinetic + gravitational + elastic − boundary work + outflow               falls by the scheme's loss
-//                                                                               and what failing ice takes
-//     (boundary work: of pushes and pistons, less what a sponge's damping took)
+//     momentum − gravity impulse − wall impulse + outflow            stays constant to rounding
+//     kinetic + gravitational + elastic − boundary work + outflow    decreases by the scheme's loss and by
+//                                                                    what failing ice dissipates
 //
-// Velocities have the forces of the coming step already (mpm/state/simulation.h), so kinetic energy runs
-// ahead of the others by its change in half a step: the sum may seem to grow by that much, and no more.
+// where boundary work is that of pushes and pistons, less what a sponge's damping took.
 //
-// Energies in J (per metre of width in 2D). Kinetic energy counts what APIC keeps in C: ½ m (|v|² +
-// (Δx²/4)|C|²). Gravitational energy is m g z from z = 0. Sums in double, particle by particle within blocks,
-// blocks in order. Test: tests/unit/mpm/step/step_test.cpp.
+// Velocities already contain the forces of the coming step (mpm/state/simulation.h). So kinetic energy is
+// ahead of the other two by its change in half a step, and the sum may seem to grow by up to that much.
+//
+// Energies are in J (per metre of width in 2D). Kinetic energy is ½ m (|v|² + (Δx²/4)|C|²), which includes
+// the part that APIC keeps in C. Gravitational energy is m g z, from z = 0. Sums are in double, particle by
+// particle within blocks and blocks in order. Test: tests/unit/mpm/step/step_test.cpp.
 #pragma once
 
 #include "mpm/particles/motion.h"
@@ -20,19 +21,20 @@ namespace tidewater::mpm {
 
 template <int D>
 struct Ledger {
-    double mass = 0.0;
-    Vector<D, double> momentum = Vector<D, double>::Zero();
-    double kinetic = 0.0;
-    double gravitational = 0.0;
-    double elastic = 0.0;
+    double mass = 0.0;                                       // kg
+    Vector<D, double> momentum = Vector<D, double>::Zero();  // kg m/s
+    double kinetic = 0.0;                                    // J
+    double gravitational = 0.0;                              // J
+    double elastic = 0.0;                                    // J
 };
 
-// One particle's share; what moves is read from `tile`, the nodes around its block.
+// The contribution of one particle, with its velocity gathered from `tile`, the nodes around its block.
 template <int D, class Real>
 Ledger<D> particle_ledger(const Parameters<D>& parameters, const Layout<D>& layout,
                           const Particles<D, Real>& particles, const Index<D>& block, std::size_t p,
                           const Tile<D, Real>& tile);
 
+// The sum over all particles and rigid bodies.
 template <int D, class Real>
 Ledger<D> take_ledger(const Simulation<D, Real>& simulation);
 

@@ -1,9 +1,9 @@
-// The state of a run: all that a step reads and writes. What advances it is mpm/step/step.h.
+// The state of a run: all that a step reads and writes. mpm/step/step.h advances it.
 //
-// Between steps a particle keeps its place and its strain only; velocities are on the grid. At `time` the
-// positions and strains are those of that time, and the velocities already have the forces of the step `dt`
-// that follows (symplectic Euler: first all velocities, then all positions). A simulation starts with dt = 0
-// and the velocities of its start.
+// Between steps a particle keeps only its position and its strain; velocities are on the grid. Positions and
+// strains are those of `time`, while velocities already contain the forces of the following step `dt`
+// (symplectic Euler: first all velocities, then all positions). A simulation starts with dt = 0 and the
+// initial velocities.
 #pragma once
 
 #include <array>
@@ -22,11 +22,11 @@
 
 namespace tidewater::mpm {
 
-// What stays as it is through a run.
+// What never changes during a run.
 template <int D>
 struct Parameters {
     double gravity = 9.81;  // m/s², along the last axis, downward
-    double cfl = 0.5;
+    double cfl = 0.5;       // lib/mpm/README.md, Time step
     WaterModel water;
     IceModel ice;
     Boundaries<D> boundaries;
@@ -35,20 +35,20 @@ struct Parameters {
 
 // The settle phase before time begins (mpm/step/settle.h).
 struct Settling {
-    bool going = false;   // ice does not fail, and the boundaries are those of time 0
-    double stress = 0.0;  // of the waves at the last peak of kinetic energy, Pa
-    double energy = 0.0;  // max. kinetic energy since the last stop, J
-    long quiet = 0;       // peaks in a row that were low enough
-    double time = 0.0;    // s, spent in it
+    bool going = false;   // ice does not fail, and boundaries stay as at time 0
+    double stress = 0.0;  // Pa, of the waves at the last peak of kinetic energy
+    double energy = 0.0;  // J, max. kinetic energy since everything was last stopped
+    long quiet = 0;       // consecutive peaks whose stress was within the tolerance
+    double time = 0.0;    // s, since settling began
 };
 
-// What the time step depends on.
+// The speeds that limit the time step.
 struct Speeds {
-    double particle = 0.0;  // max. |v| of the nodes, or of the rigid bodies where that is more, m/s
-    double sound = 0.0;     // max. c of all materials, m/s; 0 without water and ice
+    double particle = 0.0;  // m/s, max. |v| of nodes and rigid bodies
+    double sound = 0.0;     // m/s, max. c of all materials; 0 without water and ice
 };
 
-// The parts of a step whose wall time is told.
+// The parts of a step whose wall time is measured.
 enum class Phase { sort, pass, grid, rigid };
 inline constexpr std::array<std::string_view, 4> phase_names{"sort", "pass", "grid", "rigid"};
 using PhaseSeconds = std::array<double, phase_names.size()>;
@@ -61,17 +61,18 @@ struct Simulation {
     std::vector<RigidBody> rigid;
 
     double time = 0.0;  // s
-    double dt = 0.0;    // of the step that comes, whose forces the velocities have already, s
-    long step = 0;
+    double dt = 0.0;    // s, of the following step; velocities already contain its forces
+    long step = 0;      // number of steps so far
     Speeds speeds;
-    double drift = 0.0;  // cells that a particle may have moved since the last sort
-    std::vector<std::uint8_t>
-        unknown_fill;  // [node block][node] not 0: mpm/step/crowding.h; empty if there is none
+    double drift = 0.0;  // cells, max. distance that a particle may have moved since the last sort
+    // [node block][node], not 0 where the filled share is unknown; empty if it is known everywhere
+    // (mpm/step/crowding.h).
+    std::vector<std::uint8_t> unknown_fill;
 
     Accounts<D> accounts;
     Skimming skimming;
     Settling settling;
-    PhaseSeconds seconds{};  // wall time per Phase
+    PhaseSeconds seconds{};  // wall time of each Phase
 
     std::size_t particle_count() const;
     Interval interval(double next_dt) const {
@@ -79,7 +80,7 @@ struct Simulation {
     }
 };
 
-// Fingerprint of all particles, in their order, and all nodes.
+// A hash of all particles, in their order, and of all nodes.
 template <int D, class Real>
 std::uint64_t state_hash(const Simulation<D, Real>& simulation);
 

@@ -1,13 +1,13 @@
-// All that the future of a run depends on, besides what its Start already says (parameters, layout, which
-// bodies there are): the one place that knows what a checkpoint must hold.
+// What a checkpoint must contain: everything that the further course of a run depends on, except what its
+// Start provides (parameters, layout, the list of bodies).
 //
 //     save    visit_state(s, writer)
 //     load    s = make_simulation(start);  visit_state(s, reader);  relink(s)
 //
-// A loaded simulation goes on to the same bits as the saved one. A change of Block, of fraction_bits or of
-// what a value means needs a new format_version of checkpoints. Whoever adds a member to Simulation,
-// Particles, Grid or RigidBody that the next step reads adds a line here. Test:
-// tests/unit/mpm/state/state_test.cpp
+// A loaded simulation continues bit by bit as the saved one would have. Whoever adds a member to Simulation,
+// Particles, Grid or RigidBody that the next step reads adds a line here. A change of Block, of fraction_bits
+// or of the meaning of a value needs a new format_version of checkpoints. Test:
+// tests/unit/mpm/state/state_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace tidewater::mpm {
 
-// Calls visit(name, value) for each value, with a name that is the same in every run: a number, an Eigen
-// vector or matrix of fixed size, or a std::vector of these, which a visitor that loads may resize.
+// Calls visit(name, value) for each value, with a name that is the same in every run. A value is a number, an
+// Eigen vector or matrix of fixed size, or a std::vector of these, which a loading visitor may resize.
 template <int D, class Real, class Visit>
 void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("time", s.time);
@@ -37,7 +37,7 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("outflow.energy", s.accounts.outflow.energy);
     visit("skimming.time", s.skimming.time);
     visit("skimming.due", s.skimming.due);
-    long going = s.settling.going ? 1 : 0;  // a visitor takes numbers
+    long going = s.settling.going ? 1 : 0;  // visitors take numbers only
     visit("settling.going", going);
     s.settling.going = going != 0;
     visit("settling.stress", s.settling.stress);
@@ -69,8 +69,9 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     }
 }
 
-// Makes what follows from the state: tiles and the links between them and nodes. False if arrays do not fit
-// each other, as those of a build with other blocks would; then the simulation cannot be used.
+// Rebuilds what a checkpoint leaves out because it follows from the state: the tiles and their links to
+// nodes. Returns false if the arrays do not match, as when they come from a build with another Block; the
+// simulation cannot be used then.
 template <int D, class Real>
 bool relink(Simulation<D, Real>& s) {
     const auto& keys = s.grid.particle_blocks;

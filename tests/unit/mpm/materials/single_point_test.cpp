@@ -71,7 +71,7 @@ void check_table(const IceModel& model) {
     const Milestones sheared = find_milestones(shear);
     REQUIRE(sheared.onset);
     CHECK(sheared.onset->strain == Approx(gamma).epsilon(2e-3));
-    CHECK(sheared.greatest_q->q == Approx(strength).epsilon(5e-3));
+    CHECK(sheared.max_q->q == Approx(strength).epsilon(5e-3));
     CHECK(sheared.onset->log_volume == 0.0);
 }
 
@@ -96,11 +96,11 @@ double energy_of(const IceModel& model, const Batch<D, double>& batch, int p) {
     return ice_energy<D>(model, strain);
 }
 
-double least_increment_of_dissipation(const std::vector<PointRow>& rows) {
-    double least = 0.0;
+double min_increment_of_dissipation(const std::vector<PointRow>& rows) {
+    double smallest = 0.0;
     for (std::size_t i = 1; i < rows.size(); ++i)
-        least = std::min(least, rows[i].dissipated - rows[i - 1].dissipated);
-    return least;
+        smallest = std::min(smallest, rows[i].dissipated - rows[i - 1].dissipated);
+    return smallest;
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ TEST_CASE_TEMPLATE(
 
             const double strength = model.uniaxial_strength(D);
             const auto pulled = drive<D>(model, LoadPath::uniaxial, 1.1 * strength / modulus, 1000);
-            CHECK(find_milestones(pulled).greatest_q->q == Approx(strength).epsilon(5e-3));
+            CHECK(find_milestones(pulled).max_q->q == Approx(strength).epsilon(5e-3));
             const double crushing = uniaxial_crushing_strength(model, D);
             const auto pressed = drive<D>(model, LoadPath::uniaxial, -1.1 * crushing / modulus, 1000);
             const Milestones yielded = find_milestones(pressed);
@@ -215,8 +215,7 @@ TEST_CASE_TEMPLATE("no path gains energy: dissipation never falls, whatever the 
                             // A step that turns around and yields takes its work from the mean of two
                             // stresses between which the path is bent: wrong by up to ¼ E h².
                             const double h = rows[1].strain;
-                            CHECK(least_increment_of_dissipation(rows) >=
-                                  -0.25 * model.youngs_modulus * h * h);
+                            CHECK(min_increment_of_dissipation(rows) >= -0.25 * model.youngs_modulus * h * h);
                         }
 }
 

@@ -36,10 +36,10 @@ TEST_CASE("the rounding shift runs evenly through 0 to 1 from any step on") {
         std::sort(shifts.begin(), shifts.end());
         CHECK(shifts.front() >= 0.0);
         CHECK(shifts.back() < 1.0);
-        double largest_gap = 1.0 - shifts.back() + shifts.front();
+        double max_gap = 1.0 - shifts.back() + shifts.front();
         for (std::size_t n = 1; n < shifts.size(); ++n)
-            largest_gap = std::max(largest_gap, shifts[n] - shifts[n - 1]);
-        CHECK(largest_gap < 3.0 / count);
+            max_gap = std::max(max_gap, shifts[n] - shifts[n - 1]);
+        CHECK(max_gap < 3.0 / count);
     }
 }
 

@@ -22,7 +22,7 @@ double of_strain(const IceModel& model, const Tensor<D>& strain) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
         columns[c] = strain(places[D - 2][c].first, places[D - 2][c].second);
     }
-    return greatest_principal_stress<D>(model, columns);
+    return max_principal_stress<D>(model, columns);
 }
 
 // A slab 12 m high that fills the box from wall to wall, its height in cells of 1 m, and that may not fail.
