@@ -42,8 +42,7 @@ Nearest nearest_surface(const RigidBody& body, const Eigen::Vector3d& arm) {
     return {distance, body.rotation * (normal / distance)};
 }
 
-// Collects the contacts of one body with one obstacle, and finds how far the deepest of them pushes the body
-// back.
+// Collects the contacts of one body with one obstacle, and keeps the deepest, which pushes the body back.
 struct FoundContacts {
     std::vector<ContactPoint>& contacts;
     double max_depth = 0.0;                               // m
@@ -149,8 +148,7 @@ void collide_with_each_other(double cell_size, std::size_t first, std::size_t se
 template <int D>
 std::vector<ContactPoint> find_contacts(const Layout<D>& layout, const Boundaries<D>& boundaries, double dt,
                                         std::vector<RigidBody>& bodies) {
-    // Twice the way at the present speeds and a tenth of a cell, since forces may make bodies faster
-    // meanwhile.
+    // More than the distance at the present speeds, since forces may make bodies faster meanwhile.
     double speed = 0.0;
     for (const RigidBody& body : bodies) speed = std::max(speed, max_speed(body));
     const double reach = 2.0 * dt * speed + 0.1 * layout.cell_size;

@@ -9,8 +9,7 @@
 //
 // n is smooth wherever the bed crosses the cells, so that a sliding body feels no steps: on a plane bed all
 // forces are along one n, and the body's centre of mass accelerates by g sin α to rounding. At nodes of the
-// box's side walls n has no component into the wall, which would otherwise push through the corner of the
-// two.
+// box's side walls n has no component into the wall, so that the corner between the two holds.
 //
 // wall_reach is ¾ because a free node nearer to the ground finds too little water below it, sinks, and drives
 // currents of decimetres a second. With ¾, pools on beds of any slope and offset stay where they were seeded

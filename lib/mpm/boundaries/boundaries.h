@@ -1,13 +1,11 @@
 // The table of boundaries: everything that holds, moves or damps nodes, or drains water, is listed here once.
 //
-// A new boundary is a header of its own, a member of Boundaries and an entry of boundary_table. Its struct
-// has
+// A new boundary is a header of its own, a member of Boundaries and an entry of boundary_table. It has
 //
 //     acting(layout, step)               what it does during one step, computed once: an object with
-//         on(block)                          what it does in one block of nodes: a pointer or an optional
-//         that
-//                                            is empty where it does nothing, to an object with
-//             act(node, velocity, action)        which changes one node and adds the work that this takes
+//         on(block)                          what it does in one block of nodes, as a pointer or optional
+//                                            that is empty where it does nothing: an object with
+//             act(node, velocity, action)        changes one node and adds the work that this takes
 //         account(action)                    optional: sets the work from the impulse given to a whole block
 //     replaces_left_wall()               whether it moves in from x = 0 in place of the wall
 //     hides_fill(layout)                 whether it leaves the fill of any node unknown (mpm/step/crowding.h)
@@ -92,8 +90,7 @@ using ActingBoundaries =
     decltype(acting_boundaries<D>(std::declval<const Layout<D>&>(), std::declval<const Boundaries<D>&>(),
                                   std::declval<const BoundaryStep&>()));
 
-// Applies the boundaries to the velocities of one block of nodes and returns the impulse and work that this
-// took.
+// Applies the boundaries to the velocities of one block of nodes, and returns their impulse and work.
 //     block  as block_at gives it
 //     nodes  the Block<D>::nodes nodes of the block
 template <int D, class Real>

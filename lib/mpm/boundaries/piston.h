@@ -1,5 +1,4 @@
-// A wave maker: the left wall as a piston, a plane at x = X(t) that moves at U(t) and starts at rest at x =
-// 0.
+// A wave maker: the left wall as a piston, a plane at X(t) that moves at U(t) and starts at rest from x = 0.
 //
 // solitary   A wave of height H on water of depth D (Goring 1979, "Tsunamis", Caltech KH-R-38, eq. 3.17).
 //            The piston follows the mean flow under the wave, U = c η/(D + η), with η(X, t) =

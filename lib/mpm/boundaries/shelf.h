@@ -1,5 +1,5 @@
-// A shelf: ground without friction that fills the box from the left wall to x = end and from the bottom to z
-// = top, in 3D for all y.
+// A shelf: ground without friction that fills the box from the left wall to x = end and from the bottom to
+// z = top, in 3D for all y.
 //
 // Its top follows `rule`; its front face always separates. Edges lie on cell edges. At each node the nearer
 // of the two faces acts. At the edge both act, and the top holds only what presses down on it. The front of a

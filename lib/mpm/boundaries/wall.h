@@ -12,6 +12,7 @@
 
 namespace tidewater::mpm {
 
+// How a wall holds the nodes on it.
 //     slip      the velocity into or out of the wall is zero; along the wall it is free
 //     stick     the velocity is zero
 //     separate  as slip, but nodes that move away from the wall may do so

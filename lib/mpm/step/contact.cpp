@@ -167,8 +167,7 @@ bool update_presses(const Vector6& motion, bool late, BlockContacts& block) {
     return changed;
 }
 
-// The impulse (kg m/s) and angular impulse (kg m²/s) that a body gets from nodes, along their normals and by
-// friction.
+// Impulses (kg m/s) and angular impulses (kg m²/s) on a body from nodes: along their normals and by friction.
 struct ContactImpulse {
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero(),
                     friction = Eigen::Vector3d::Zero(), friction_angular = Eigen::Vector3d::Zero();
@@ -235,8 +234,7 @@ std::vector<Partner> find_partners(const ContactScene<D, Real>& scene, const Con
     return partners;
 }
 
-// The motions of all bodies if the nodes that press now keep pressing; sets the impulses of the contact
-// points too.
+// The motions of all bodies if the nodes that press now keep pressing; sets the contacts' impulses too.
 template <int D>
 std::vector<Vector6> solve(double dt, const std::vector<Partner>& partners,
                            std::vector<ContactPoint>& contacts) {

@@ -28,8 +28,8 @@
 
 namespace tidewater::mpm {
 
-// The share (1.5 − wall_reach)³/6 of a node that lies wall_reach cells outside of a flat face. A smaller
-// share would let free nodes come too near to the face (mpm/boundaries/wall.h).
+// The share (1.5 − wall_reach)³/6 of a node that lies wall_reach cells outside of a flat face: bodies hold
+// nodes as far in front of them as other surfaces do, and for the same reason (mpm/boundaries/wall.h).
 inline constexpr double min_share = (1.5 - wall_reach) * (1.5 - wall_reach) * (1.5 - wall_reach) / 6.0;
 
 // What contacts need to know of a step.
@@ -43,8 +43,8 @@ struct ContactStep {
 // Gives the bodies gravity's impulse and resolves their contacts with nodes, walls, the bed and each other.
 //     grid          reads the masses and velocities of nodes; writes the velocities of those in contact
 //     bodies        reads their motions; writes these and their impulses, and pushes back what is too deep
-//     wall_impulse  adds the impulses of walls on bodies, and of what holds bodies while the scene settles,
-//     kg m/s
+//     wall_impulse  adds the impulses of walls and bed on bodies, and of what holds bodies while the scene
+//                   settles, kg m/s
 template <int D, class Real>
 void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, Grid<D, Real>& grid,
                       std::vector<RigidBody>& bodies, Vector<D, double>& wall_impulse);

@@ -161,8 +161,7 @@ bool may_be_unknown(const Boundaries<D>& boundaries, const Layout<D>& layout,
     return unknown;
 }
 
-// Marks the nodes of a node block that get mass from solids in particle block `slot`, and those one cell
-// further.
+// Marks the nodes of a node block that solids in particle block `slot` reach, and those one cell further.
 template <int D, class Real>
 void mark_solids(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies, std::size_t slot,
                  const Index<D>& node_block, std::uint8_t* marks) {

@@ -45,9 +45,8 @@ inline constexpr double min_fill = 0.85;  // a node with a smaller φ is at a su
 template <int D, class Real>
 bool has_water(const std::vector<Particles<D, Real>>& bodies, std::size_t slot);
 
-// Finds the nodes with unknown φ, as Simulation::unknown_fill holds them. Call it after particles were
-// sorted.
-//     time  s, at which boundaries that move are asked where they are
+// Finds the nodes with unknown φ, as Simulation::unknown_fill holds them. Call it after every sort.
+//     time  s, at which moving boundaries have their place
 template <int D, class Real>
 std::vector<std::uint8_t> find_unknown_fill(const Parameters<D>& parameters, double time,
                                             const Grid<D, Real>& grid,

@@ -6,8 +6,8 @@
 namespace tidewater::mpm {
 namespace {
 
-// Whether a particle of the block may have passed the outlet: particles may have drifted half a cell out of
-// it.
+// Whether a particle of the block may have passed the outlet; it may have drifted half a cell out of the
+// block.
 template <int D>
 bool reaches(const Layout<D>& layout, const Outlet& outlet, const Index<D>& block) {
     const auto end = [&](std::size_t axis) {

@@ -30,9 +30,8 @@ struct NodeResult {
 template <int D, class Real>
 NodeResult<D> bound_velocities(const ActingBoundaries<D>& acting, std::size_t slot, Grid<D, Real>& grid);
 
-// Adds to wall_impulse (kg m/s) what walls that mirror will give to the particles when these read the nodes'
-// velocities next. Reads the nodes' velocities and the masses that folding kept in the tiles, and uses those
-// up.
+// Adds to wall_impulse (kg m/s) what walls that mirror will give to the particles when these next read the
+// nodes' velocities. Reads these velocities, and reads and clears the masses that folding kept in the tiles.
 //     particle_slots  the blocks whose tiles are unfolded
 template <int D, class Real>
 void add_unfolding_impulse(const Slots& particle_slots, Grid<D, Real>& grid, Vector<D, double>& wall_impulse);

@@ -36,9 +36,8 @@ struct PassResult {
 // run in parallel.
 //     from    Block<D>::tile_size nodes: velocities and, for water of the scheme `density`, the crowding
 //     grid    writes the tile of the block only
-//     bodies  position and strain of the block's particles advance; before and after, positions must lie
-//     within
-//             ½ cell of the block, for which the caller sorts in time
+//     bodies  position and strain of the block's particles advance; before and after, positions must
+//             lie within ½ cell of the block, for which the caller sorts in time
 template <int D, class Real>
 PassResult<D> pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
                               Grid<D, Real>& grid, std::vector<Particles<D, Real>>& bodies);

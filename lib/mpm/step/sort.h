@@ -12,11 +12,11 @@
 namespace tidewater::mpm {
 
 // Sorts, if the motion of the step at hand, added to the drift, could pass sorting_margin.
-//     node_speed        max. |v| of nodes and rigid bodies, m/s
-//     grid, bodies      reads velocities and positions; where it sorts, writes blocks and the order of
-//     particles unknown_fill      as in Simulation; written where it sorts drift             cells that a
-//     particle may have moved since the last sort; the motion of the step is added skimming, outflow accounts
-//     of the water that is drained
+//     node_speed         max. |v| of nodes and rigid bodies, m/s
+//     grid, bodies       reads velocities and positions; a sort writes blocks and the order of particles
+//     unknown_fill       as in Simulation; a sort writes it
+//     drift              cells that a particle may have moved since the last sort; adds those of this step
+//     skimming, outflow  accounts of the water that is drained
 // Throws a NumericsError if something would move by more than sorting_margin in this step, or if a particle
 // has left the tank.
 template <int D, class Real>

@@ -52,8 +52,7 @@ std::vector<double> compress(const Start<D>& start, typename Start<D>::Body& bod
     return j;
 }
 
-// Returns j of each point of a body of water in hydrostatic balance. Moves the points in the scheme
-// `density`.
+// Returns j of each point of a body of water in hydrostatic balance. The scheme `density` moves its points.
 template <int D>
 std::vector<double> hydrostatic_columns(const Start<D>& start, typename Start<D>::Body& body) {
     if (start.parameters.water.scheme == WaterScheme::density) return compress(start, body);

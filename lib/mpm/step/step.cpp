@@ -77,8 +77,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
                                                s.unknown_fill, s.grid, s.bodies, wall_impulse);
     s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings);
     if (!interval.settling) {
-        for (RigidBody& body : s.rigid)
-            move_rigid_body(interval.dt, body);  // after the pass, which reads where they were
+        for (RigidBody& body : s.rigid) move_rigid_body(interval.dt, body);  // the pass reads the old place
     }
     clock.charge(Phase::pass);
 

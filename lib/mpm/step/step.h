@@ -2,10 +2,9 @@
 //
 //     sort        particles into blocks, only when one might leave its block's margin; before that, outlets
 //                 and sponges drain water (mpm/step/sort.h)
-//     pass        nodes → particles (G2P), strain and position advance by dt, particles → tiles (P2G) with
-//     the
-//                 forces of the coming step, all while a batch is in the cache (mpm/step/pass.h); then rigid
-//                 bodies move by dt
+//     pass        nodes → particles (G2P), strain and position advance by dt, particles → tiles (P2G)
+//                 with the forces of the coming step, all while a batch is in the cache (mpm/step/pass.h);
+//                 then rigid bodies move by dt
 //     nodes       tiles → nodes, momentum → velocity, gravity (mpm/step/nodes.h)
 //     contacts    rigid bodies with their nodes, walls and each other (mpm/step/contact.h)
 //     boundaries  hold, move or damp nodes (mpm/step/nodes.h, mpm/boundaries/boundaries.h)

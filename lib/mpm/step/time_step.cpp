@@ -24,8 +24,7 @@ template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& s) {
     const double dx = s.grid.layout.cell_size, v = s.speeds.particle;
     const double g = s.parameters.gravity;
-    // The root of v Δt + g Δt² = reach, written without cancellation; reach lies well within the sorting
-    // margin.
+    // The root of v Δt + g Δt² = reach, without cancellation; reach lies well within the sorting margin.
     const double reach = 0.4 * dx;
     const double falling = 2.0 * reach / (v + std::sqrt(v * v + 4.0 * g * reach));
     return std::min(s.parameters.cfl * dx / (s.speeds.sound + v), falling);
