@@ -17,10 +17,10 @@ Vector6 lever(const Eigen::Vector3d& normal, const Eigen::Vector3d& arm) {
     return on;
 }
 
-// The distance of a point from a body's surface, negative inside, and the direction out of it.
+// The nearest point of a body's surface, as another point sees it.
 struct Nearest {
-    double distance = 0.0;
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    double distance = 0.0;                             // m, negative inside the body
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // outward
 };
 
 template <int D>
@@ -29,11 +29,11 @@ Nearest nearest_surface(const RigidBody& body, const Eigen::Vector3d& arm) {
     Eigen::Vector3d beyond = r.cwiseAbs() - body.half_size;
     if (D == 2) beyond[1] = -body.radius();
     int axis = 0;
-    const double most = beyond.maxCoeff(&axis);
+    const double max_beyond = beyond.maxCoeff(&axis);
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    if (most <= 0.0) {
+    if (max_beyond <= 0.0) {
         normal[axis] = r[axis] < 0.0 ? -1.0 : 1.0;
-        return {most, body.rotation * normal};
+        return {max_beyond, body.rotation * normal};
     }
     for (int k = 0; k < 3; ++k) {
         if (beyond[k] > 0.0) normal[k] = r[k] < 0.0 ? -beyond[k] : beyond[k];
@@ -42,27 +42,27 @@ Nearest nearest_surface(const RigidBody& body, const Eigen::Vector3d& arm) {
     return {distance, body.rotation * (normal / distance)};
 }
 
-// Keeps the contacts of one body with one thing, and pushes the body back by the deepest.
+// Collects the contacts of one body with one obstacle, and keeps the deepest, which pushes the body back.
 struct FoundContacts {
     std::vector<ContactPoint>& contacts;
-    double deepest = 0.0;
-    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    double max_depth = 0.0;                               // m
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // normal of the deepest contact
 
-    void add(int a, int b, const Eigen::Vector3d& normal, const Eigen::Vector3d& arm_a,
-             const Eigen::Vector3d& arm_b, double gap) {
+    void add(std::size_t a, std::optional<std::size_t> b, const Eigen::Vector3d& normal,
+             const Eigen::Vector3d& arm_a, const Eigen::Vector3d& arm_b, double gap) {
         contacts.push_back(
             {.a = a, .b = b, .on_a = lever(normal, arm_a), .on_b = lever(normal, arm_b), .gap = gap});
-        if (gap >= -deepest) return;
-        deepest = -gap;
+        if (gap >= -max_depth) return;
+        max_depth = -gap;
         direction = normal;
     }
     Eigen::Vector3d push_back(double cell_size) const {
-        return std::min(deepest, max_correction * cell_size) * direction;
+        return std::min(max_depth, max_correction * cell_size) * direction;
     }
 };
 
 template <int D>
-void collide_with_walls(const Layout<D>& layout, int index, double reach, RigidBody& body,
+void collide_with_walls(const Layout<D>& layout, std::size_t index, double reach, RigidBody& body,
                         std::vector<ContactPoint>& contacts) {
     const Index<D> anchor = anchor_of<D>(body);
     const Eigen::Matrix3d rotation = body.rotation.toRotationMatrix();
@@ -77,15 +77,15 @@ void collide_with_walls(const Layout<D>& layout, int index, double reach, RigidB
         for (std::size_t corner = 0; corner < static_cast<std::size_t>(power(2, D)); ++corner) {
             const Eigen::Vector3d arm = rotation * body.surface[corner];
             const double gap = inward * (body.center[axis] + arm[axis] - plane);
-            if (gap < reach) found.add(index, -1, normal, arm, arm, gap);
+            if (gap < reach) found.add(index, std::nullopt, normal, arm, arm, gap);
         }
         body.center += found.push_back(layout.cell_size);
     }
 }
 
 template <int D>
-void collide_with_bed(const Layout<D>& layout, const Bed<D>& bed, int index, double reach, RigidBody& body,
-                      std::vector<ContactPoint>& contacts) {
+void collide_with_bed(const Layout<D>& layout, const Bed<D>& bed, std::size_t index, double reach,
+                      RigidBody& body, std::vector<ContactPoint>& contacts) {
     if (!bed.exists()) return;
     const Eigen::Matrix3d rotation = body.rotation.toRotationMatrix();
     const Eigen::Vector3d center = body.center_in_box(layout.cell_size);
@@ -99,15 +99,17 @@ void collide_with_bed(const Layout<D>& layout, const Bed<D>& bed, int index, dou
         normal << -slope, 1.0;
         normal.normalize();
         const double gap = (place[D - 1] - bed.height(below)) * normal[D - 1];
-        if (gap < reach) found.add(index, -1, lift<D>(normal), arm, arm, gap);
+        if (gap < reach) found.add(index, std::nullopt, lift<D>(normal), arm, arm, gap);
     }
     body.center += found.push_back(layout.cell_size);
 }
 
-// The surface points of `of` against the faces of `other`.
+// Finds the contacts of the surface points of `of` with the faces of `other`.
+//     between  from the centre of `other` to that of `of`, m
 template <int D>
-void collide_with_faces(int of_index, const RigidBody& of, int other_index, const RigidBody& other,
-                        const Eigen::Vector3d& between, double reach, FoundContacts& found) {
+void collide_with_faces(std::size_t of_index, const RigidBody& of, std::size_t other_index,
+                        const RigidBody& other, const Eigen::Vector3d& between, double reach,
+                        FoundContacts& found) {
     const Eigen::Matrix3d rotation = of.rotation.toRotationMatrix();
     for (const Eigen::Vector3d& point : of.surface) {
         const Eigen::Vector3d arm = rotation * point, from_other = between + arm;
@@ -119,9 +121,9 @@ void collide_with_faces(int of_index, const RigidBody& of, int other_index, cons
 }
 
 template <int D>
-void collide_with_each_other(double cell_size, int first, int second, double reach,
+void collide_with_each_other(double cell_size, std::size_t first, std::size_t second, double reach,
                              std::vector<RigidBody>& bodies, std::vector<ContactPoint>& contacts) {
-    RigidBody &a = bodies[static_cast<std::size_t>(first)], &b = bodies[static_cast<std::size_t>(second)];
+    RigidBody &a = bodies[first], &b = bodies[second];
     Eigen::Vector3d between = a.center - b.center;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         between[static_cast<int>(axis)] += cell_size * (a.anchor[axis] - b.anchor[axis]);
@@ -146,16 +148,15 @@ void collide_with_each_other(double cell_size, int first, int second, double rea
 template <int D>
 std::vector<ContactPoint> find_contacts(const Layout<D>& layout, const Boundaries<D>& boundaries, double dt,
                                         std::vector<RigidBody>& bodies) {
-    // Further than anything moves in a step: forces may make bodies faster meanwhile.
-    double fastest = 0.0;
-    for (const RigidBody& body : bodies) fastest = std::max(fastest, max_speed(body));
-    const double reach = 2.0 * dt * fastest + 0.1 * layout.cell_size;
+    // More than the distance at the present speeds, since forces may make bodies faster meanwhile.
+    double speed = 0.0;
+    for (const RigidBody& body : bodies) speed = std::max(speed, max_speed(body));
+    const double reach = 2.0 * dt * speed + 0.1 * layout.cell_size;
     std::vector<ContactPoint> contacts;
-    for (std::size_t n = 0; n < bodies.size(); ++n) {
-        const int index = static_cast<int>(n);
-        collide_with_walls(layout, index, reach, bodies[n], contacts);
-        collide_with_bed(layout, boundaries.bed, index, reach, bodies[n], contacts);
-        for (int other = 0; other < index; ++other) {
+    for (std::size_t index = 0; index < bodies.size(); ++index) {
+        collide_with_walls(layout, index, reach, bodies[index], contacts);
+        collide_with_bed(layout, boundaries.bed, index, reach, bodies[index], contacts);
+        for (std::size_t other = 0; other < index; ++other) {
             collide_with_each_other<D>(layout.cell_size, other, index, reach, bodies, contacts);
         }
     }
@@ -164,27 +165,26 @@ std::vector<ContactPoint> find_contacts(const Layout<D>& layout, const Boundarie
 
 void solve_contacts(double dt, const std::vector<Matrix6>& inverse, std::vector<ContactPoint>& contacts,
                     std::vector<Vector6>& motion) {
-    double max_impulse = 0.0;  // of all impulses
+    double max_impulse = 0.0;  // over all contacts and rounds
     for (int round = 0; round < max_rounds; ++round) {
         double change = 0.0;
         for (ContactPoint& contact : contacts) {
-            const auto a = static_cast<std::size_t>(contact.a), b = static_cast<std::size_t>(contact.b);
-            const bool fixed = contact.b < 0;
-            const Vector6 from_a = inverse[a] * contact.on_a;
+            const auto& [a, b, on_a, on_b, gap, impulse] = contact;
+            const Vector6 from_a = inverse[a] * on_a;
             Vector6 from_b = Vector6::Zero();
-            double approach = contact.on_a.dot(motion[a]), yields = contact.on_a.dot(from_a);
-            if (!fixed) {
-                from_b = inverse[b] * contact.on_b;
-                approach -= contact.on_b.dot(motion[b]);
-                yields += contact.on_b.dot(from_b);
+            double parting = on_a.dot(motion[a]), compliance = on_a.dot(from_a);
+            if (b) {
+                from_b = inverse[*b] * on_b;
+                parting -= on_b.dot(motion[*b]);
+                compliance += on_b.dot(from_b);
             }
-            const double wanted = -(approach + std::max(contact.gap, 0.0) / dt) / yields;
-            const double given = std::max(contact.impulse + wanted, 0.0) - contact.impulse;
+            const double wanted = -(parting + std::max(gap, 0.0) / dt) / compliance;
+            const double given = std::max(impulse + wanted, 0.0) - impulse;
             contact.impulse += given;
             motion[a] += given * from_a;
-            if (!fixed) motion[b] -= given * from_b;
+            if (b) motion[*b] -= given * from_b;
             change = std::max(change, std::abs(given));
-            max_impulse = std::max(max_impulse, contact.impulse);
+            max_impulse = std::max(max_impulse, impulse);
         }
         if (change <= 1e-12 * max_impulse) return;
     }

@@ -1,4 +1,4 @@
-// The x–z plane of a 2D scene seen as the plane y = 0 of space, where rigid bodies turn.
+// Between the x–z plane of a 2D scene and the plane y = 0 of space, in which rigid bodies turn.
 #pragma once
 
 #include "core/types.h"
@@ -14,7 +14,7 @@ inline Eigen::Vector3d lift(const Vector<D, double>& v) {
         return {v[0], 0.0, v[1]};
 }
 
-// The inverse: leaves out y in 2D.
+// The inverse of lift: leaves out y in 2D.
 template <int D>
 inline Vector<D, double> drop(const Eigen::Vector3d& v) {
     if constexpr (D == 3)

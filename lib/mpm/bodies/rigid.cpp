@@ -19,7 +19,7 @@ constexpr std::array<int, static_cast<std::size_t>(D)> own_axes() {
         return {0, 1, 2};
 }
 
-// The corners first, then a lattice on all faces. In 2D the face is the body's outline.
+// The corners, then a lattice on all faces; in 2D the faces are the body's outline.
 template <int D>
 std::vector<Eigen::Vector3d> surface_points(const Eigen::Vector3d& half, double spacing) {
     std::array<int, 3> steps{0, 0, 0};
@@ -49,10 +49,10 @@ std::vector<Eigen::Vector3d> surface_points(const Eigen::Vector3d& half, double 
     return corners;
 }
 
-// A mirror near the body, from its centre, m.
+// A mirror near the body.
 struct Pane {
     int axis = 0;
-    double plane = 0.0;
+    double plane = 0.0;  // m, from the body's centre
 };
 
 struct Panes {
@@ -85,7 +85,7 @@ RigidBody make_rigid_body(const RigidStart<D>& start, double cell_size) {
     }
     body.center =
         lift<D>(start.center) - cell_size * Eigen::Vector3d(body.anchor[0], body.anchor[1], body.anchor[2]);
-    // From x towards z is against the right-handed sense about y.
+    // Turning from x towards z is negative about y, by the right-hand rule.
     body.rotation = Eigen::AngleAxisd(-start.angle, Eigen::Vector3d::UnitY());
     body.mass = start.density * start.size.prod();
     const Eigen::Vector3d squares = body.half_size.cwiseAbs2() * body.mass / 3.0;
@@ -154,7 +154,7 @@ NodeShare share_of_node(const Layout<D>& layout, const RigidBody& body, const In
     const Eigen::Vector3d arm = lift<D>(from_anchor) - body.center;
     const Panes panes = panes_near(layout, body, anchor);
     NodeShare sum;
-    // The node and its images as the body sees them; in a corner also the images of images.
+    // Sums over the node and its images in the mirrors; in a corner images have images too.
     for (unsigned through = 0; through < 1u << panes.count; ++through) {
         Eigen::Vector3d seen = arm, sign = Eigen::Vector3d::Ones();
         for (std::size_t n = 0; n < panes.count; ++n) {

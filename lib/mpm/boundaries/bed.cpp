@@ -34,7 +34,7 @@ template <int D>
 double Bed<D>::height(const Vector<across, double>& at) const {
     assert(exists());
     std::size_t first[across];
-    double share[across];  // of the next point
+    double share[across];  // weight of the next point
     for (int axis = 0; axis < across; ++axis) {
         const auto last = static_cast<double>(points[static_cast<std::size_t>(axis)] - 1);
         const double place = std::clamp(at[axis] / spacing, 0.0, last);
@@ -72,15 +72,15 @@ template <int D>
 std::optional<typename Bed<D>::UnderBlock> Bed<D>::Acting::on(const Index<D>& block) const {
     if (!bed.exists()) return {};
     UnderBlock under{layout, bed.rule, block, {}};
-    double highest = 0.0;
+    double max_top = 0.0;
     for (int n = 0; n < power(Block<D>::width, across); ++n) {
         Index<across> column = index_of<across>(n, Block<D>::width);
         for (std::size_t axis = 0; axis < across; ++axis) column[axis] += layout.first_node(block[axis]);
         Ground& ground = under.columns[static_cast<std::size_t>(n)];
         ground = ground_of<D>(layout, bed, column);
-        highest = n == 0 ? ground.top : std::max(highest, ground.top);
+        max_top = n == 0 ? ground.top : std::max(max_top, ground.top);
     }
-    if (layout.cell_size * layout.first_node(block[D - 1]) >= highest) return {};
+    if (layout.cell_size * layout.first_node(block[D - 1]) >= max_top) return {};
     return under;
 }
 

@@ -1,20 +1,22 @@
 // The ground as a height field: z_b over x in 2D, over (x, y) in 3D.
 //
-// Grid nodes in the ground, and nodes up to wall_reach cells above it, keep no velocity into it. With the
-// bed's own normal n = (−∇z_b, 1)/√(1 + |∇z_b|²) and the height d = (z − z_b) n_z above it,
+// Grid nodes in the ground, and those up to wall_reach cells above it, keep no velocity into it. With the
+// bed's own normal n = (−∇z_b, 1)/√(1 + |∇z_b|²) and a node's distance d = (z − z_b) n_z from it,
 //
-//     slip      v ← v − (v·n) n
-//     separate  the same where v·n < 0
-//     stick     v ← 0                                for nodes with d < wall_reach Δx
+//     slip      v ← v − (v·n) n                      at nodes with d < wall_reach Δx
+//     separate  the same, but only where v·n < 0
+//     stick     v ← 0
 //
-// n is smooth, whatever cells the bed crosses, so what slides feels no steps: on a plane bed all forces are
-// along one n, and the centre of mass of what slides on it accelerates by g sin α to rounding. At nodes of
-// the box's side walls n has no component into the wall, so that the corner between the two holds.
+// n is smooth wherever the bed crosses the cells, so that a sliding body feels no steps: on a plane bed all
+// forces are along one n, and the body's centre of mass accelerates by g sin α to rounding. At nodes of the
+// box's side walls n has no component into the wall, so that the corner between the two holds.
 //
-// Why wall_reach = ¾: a free node nearer to the ground finds too little water below it, sinks, and drives
-// currents of decimetres a second; with it pools on beds of any slope and offset stay where they were seeded
-// to 0.03 cells, and on average the last node held lies where a wall's would.
-// First order. Tests: tests/unit/mpm/boundaries/bed_test.cpp.
+// wall_reach is ¾ because a free node nearer to the ground finds too little water below it, sinks, and drives
+// currents of decimetres a second. With ¾, pools on beds of any slope and offset stay where they were seeded
+// to 0.03 cells, and on average the last node that the bed holds lies where a wall's would. The bed is of
+// first order in space.
+//
+// Test: tests/unit/mpm/boundaries/bed_test.cpp.
 #pragma once
 
 #include <array>
@@ -30,21 +32,21 @@ struct Bed {
     static constexpr int across = D - 1;  // horizontal axes
 
     WallRule rule = WallRule::separate;
-    double spacing = 0.0;                                        // m, of a lattice that begins at the origin
-    std::array<int, static_cast<std::size_t>(across)> points{};  // of the lattice per axis, at least 1
-    std::vector<double> heights;                                 // m, at its points; y fastest; empty: no bed
+    double spacing = 0.0;  // m, of the lattice, which begins at the origin
+    std::array<int, static_cast<std::size_t>(across)> points{};  // of the lattice per axis, ≥ 1
+    std::vector<double> heights;  // m, z_b at the points, y fastest; empty: no bed
 
     bool exists() const { return !heights.empty(); }
 
     // z_b, m: linear between the points, bilinear in 3D, constant beyond them.
     double height(const Vector<across, double>& at) const;
-    // ∇z_b by central differences over `reach` m to each side.
+    // ∇z_b by central differences over `reach` (m) to each side.
     Vector<across, double> slope(const Vector<across, double>& at, double reach) const;
 
-    // What the nodes of one column, along the last axis, need to know of the ground.
+    // The ground as a column of nodes along the last axis sees it.
     struct Ground {
-        Vector<D, double> normal;  // without components into the side walls
-        double top;                // m; the bed acts on nodes below it
+        Vector<D, double> normal;  // n, of length 1
+        double top;                // m; the bed acts on nodes below this height
     };
     // The ground under one block of nodes.
     struct UnderBlock {
@@ -76,14 +78,14 @@ struct Bed {
         const Layout<D>& layout;
         const Bed& bed;
 
-        std::optional<UnderBlock> on(
-            const Index<D>& block) const;  // none where the ground is below the block
+        // Empty where the ground lies below the block.
+        std::optional<UnderBlock> on(const Index<D>& block) const;
     };
     Acting acting(const Layout<D>& layout, const BoundaryStep&) const { return {layout, *this}; }
 
     bool replaces_left_wall() const { return false; }
     bool hides_fill(const Layout<D>&) const { return exists(); }
-    // Where the ground reaches into what the node's spline covers.
+    // True where the ground reaches into the support of the node's spline.
     bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const;
 };
 

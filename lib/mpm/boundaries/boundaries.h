@@ -1,17 +1,20 @@
-// The table of boundaries: everything that holds, moves or damps nodes or takes water, once each.
+// The table of boundaries: everything that holds, moves or damps nodes, or drains water, is listed here once.
 //
-// A new one is a header of its own, a member of Boundaries and a word in boundary_table. Its struct says
+// A new boundary is a header of its own, a member of Boundaries and an entry of boundary_table. It has
 //
 //     acting(layout, step)               what it does during one step, computed once: an object with
-//         on(block)                          what it does in a block of nodes; false where it does nothing;
-//             act(node, velocity, action)        to one node, with the work that this takes
-//         account(action)                    optional: of a block's impulse
-//     replaces_left_wall()               whether it moves in from x = 0 instead of the wall
-//     hides_fill(layout)                 whether any node's share of water may be unknown because of it,
-//     hides_fill_at(layout, time, node)      and whether that of this node is (mpm/step/crowding.h)
+//         on(block)                          what it does in one block of nodes, as a pointer or optional
+//                                            that is empty where it does nothing: an object with
+//             act(node, velocity, action)        changes one node and adds the work that this takes
+//         account(action)                    optional: sets the work from the impulse given to a whole block
+//     replaces_left_wall()               whether it moves in from x = 0 in place of the wall
+//     hides_fill(layout)                 whether it leaves the fill of any node unknown (mpm/step/crowding.h)
+//     hides_fill_at(layout, time, node)  whether it leaves the fill of this node unknown
 //
-// Calls are by type, none is virtual. What takes particles rather than acting on nodes does so when particles
-// are sorted (mpm/step/drain.h).
+// Calls are resolved by type; none is virtual. A boundary that drains water acts on particles rather than on
+// nodes, and does so when particles are sorted (mpm/step/drain.h, mpm/step/skim.h).
+//
+// Tests: tests/unit/mpm/boundaries/boundaries_test.cpp, tests/unit/mpm/flume_test.cpp.
 #pragma once
 
 #include <tuple>
@@ -39,14 +42,14 @@ struct Boundaries {
     Outlet outlet;
 };
 
-// In the order in which they act on a node. The bed comes first: after the bottom wall it would turn what
-// presses on a slope into motion along it.
+// The boundaries in the order in which they act on a node. The bed comes before the walls: after the bottom
+// wall it would turn velocity that presses on a slope into motion along the slope.
 template <int D>
 inline constexpr std::tuple boundary_table{
     &Boundaries<D>::bed,    &Boundaries<D>::walls,  &Boundaries<D>::shelf, &Boundaries<D>::push,
     &Boundaries<D>::piston, &Boundaries<D>::outlet, &Boundaries<D>::sponge};
 
-// Calls visit(boundary) for each, in that order.
+// Calls visit(boundary) for each boundary, in the order of the table.
 template <int D, class Visit>
 void for_each_boundary(const Boundaries<D>& boundaries, const Visit& visit) {
     std::apply([&](const auto... member) { (visit(boundaries.*member), ...); }, boundary_table<D>);
@@ -55,16 +58,17 @@ void for_each_boundary(const Boundaries<D>& boundaries, const Visit& visit) {
 template <int D>
 bool replaces_left_wall(const Boundaries<D>& boundaries) {
     bool replaced = false;
-    for_each_boundary(boundaries, [&](const auto& of) { replaced = replaced || of.replaces_left_wall(); });
+    for_each_boundary(boundaries,
+                      [&](const auto& boundary) { replaced = replaced || boundary.replaces_left_wall(); });
     return replaced;
 }
 
-// The walls that mirror: those that slip or stick and are not replaced by something that moves.
+// The mirrors of the box: every wall that slips or sticks mirrors, unless a boundary that moves replaces it.
 template <int D>
 Mirrors<D> mirrors_of(const Boundaries<D>& boundaries);
 
-// What boundaries are told of the step that follows `interval`, whose forces the nodes are getting. `damping`
-// is the time over which a sponge damps, s.
+// The step that follows `interval`, as boundaries need to know it: the nodes have just got the forces of that
+// step. `damping` (s) is the time over which a sponge damps.
 template <int D>
 BoundaryStep boundary_step(const Boundaries<D>& boundaries, const Interval& interval, double damping) {
     BoundaryStep step;
@@ -74,7 +78,7 @@ BoundaryStep boundary_step(const Boundaries<D>& boundaries, const Interval& inte
     return step;
 }
 
-// What all of them do during one step, in the table's order. Refers to its arguments.
+// What each boundary does during one step, in the order of the table. Keeps references to the arguments.
 template <int D>
 auto acting_boundaries(const Layout<D>& layout, const Boundaries<D>& boundaries, const BoundaryStep& step) {
     return std::apply(
@@ -86,7 +90,9 @@ using ActingBoundaries =
     decltype(acting_boundaries<D>(std::declval<const Layout<D>&>(), std::declval<const Boundaries<D>&>(),
                                   std::declval<const BoundaryStep&>()));
 
-// Applies them to the velocities of one block of nodes; `block` as block_at gives it.
+// Applies the boundaries to the velocities of one block of nodes, and returns their impulse and work.
+//     block  as block_at gives it
+//     nodes  the Block<D>::nodes nodes of the block
 template <int D, class Real>
 WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D>& acting,
                                const Index<D>& block, Node<Real>* nodes);

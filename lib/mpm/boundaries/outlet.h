@@ -1,10 +1,12 @@
-// An outlet that keeps the water at its level: water that is above it near the right wall leaves the scene
+// An outlet that keeps the water at its level: water above that level near the right wall leaves the scene
 // (Wolper et al. 2021, Fig. 3: "water particles exiting at the water tank outlet").
 //
-// Water whose particles are beyond x = from and above z = level leaves when particles are sorted next
-// (mpm/step/drain.h); nodes notice nothing. What the outlet takes has to rise there: at q m²/s through a
-// width b it needs a head of (q/b)²/2g, so b should not be much less than the depth. Crests that reach it are
-// cut off.
+// Particles of water beyond x = from and above z = level leave when particles are sorted next
+// (mpm/step/drain.h); nodes are not changed. The outlet's water has to rise to the level first: a discharge
+// of q (m²/s) through an outlet of width b needs a head of (q/b)²/2g, so b should not be much less than the
+// depth. Crests that reach the outlet are cut off.
+//
+// Test: tests/unit/mpm/step/drain_test.cpp.
 #pragma once
 
 #include "mpm/boundaries/wall.h"
@@ -12,7 +14,7 @@
 namespace tidewater::mpm {
 
 struct Outlet {
-    double from = 0.0;   // m
+    double from = 0.0;   // m, x at which it begins
     double level = 0.0;  // m; 0: no outlet
 
     bool exists() const { return level > 0.0; }

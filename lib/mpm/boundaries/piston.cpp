@@ -9,7 +9,7 @@ namespace {
 
 constexpr double tail = 3.8;  // κ(ct − X) at the ends of the stroke
 
-// Goring's law with time and place from mid-stroke.
+// Goring's law, with time and position counted from mid-stroke.
 struct Solitary {
     double height, depth, kappa, celerity, half_stroke;
 
@@ -22,7 +22,7 @@ struct Solitary {
 
     double half_time() const { return (tail / kappa + half_stroke) / celerity; }
 
-    // Solves X = (H/κD) tanh(κ(ct − X)); each step leaves at most (H/D)/(1 + H/D) of the error.
+    // Solves X = (H/κD) tanh(κ(ct − X)); each iteration reduces the error to (H/D)/(1 + H/D) of it or less.
     double place(double time) const {
         if (std::abs(time) >= half_time()) return std::copysign(half_stroke, time);
         double x = 0.0;

@@ -1,18 +1,20 @@
-// A wave maker: the left wall as a piston, a plane at x = X(t) that moves at U(t) and starts from x = 0 at
-// rest.
+// A wave maker: the left wall as a piston, a plane at X(t) that moves at U(t) and starts at rest from x = 0.
 //
-// solitary   makes a wave of height H on water of depth D (Goring 1979, "Tsunamis", Caltech KH-R-38,
-// eq. 3.17):
-//            the piston keeps up with the wave's mean flow, U = c η/(D + η) with η(X, t) = H sech²(κ(ct −
-//            X)), κ = √(3H/4D³), c = √(g(D + H)), of which the integral is X = (H/κD) tanh(κ(ct − X)) from
-//            mid-stroke. The tails are cut off where κ(ct − X) = ∓3.8; the stroke is 1.998 H/κD.
-// sine       X = a (1 − cos ωt) r(t), with r = (1 − cos(πt/ramp))/2 up to the time `ramp` and 1 from then on.
-//            Small waves have the height 2a · 2(cosh 2kD − 1)/(sinh 2kD + 2kD), ω² = gk tanh kD (Dean &
-//            Dalrymple 1991, eq. 6.25).
+// solitary   A wave of height H on water of depth D (Goring 1979, "Tsunamis", Caltech KH-R-38, eq. 3.17).
+//            The piston follows the mean flow under the wave, U = c η/(D + η), with η(X, t) =
+//            H sech²(κ(ct − X)), κ = √(3H/4D³) and c = √(g(D + H)). Its integral is
+//            X = (H/κD) tanh(κ(ct − X)), from mid-stroke. The tails are cut off where κ(ct − X) = ∓3.8;
+//            the stroke is 1.998 H/κD.
 //
-// Nodes behind the plane and less than wall_reach cells before it get v_x = U. First order in space; as water
-// next to it moves with it, nodes that it passes change little. At 24 cells of depth a wave of 0.2 D is 0.968
-// of that height after 10 D. Test: tests/unit/mpm/flume_test.cpp.
+// sine       X = a (1 − cos ωt) r(t), with r = (1 − cos(πt/ramp))/2 until t = ramp and r = 1 afterwards.
+//            Small waves have the height 2a · 2(cosh 2kD − 1)/(sinh 2kD + 2kD), with ω² = gk tanh kD
+//            (Dean & Dalrymple 1991, eq. 6.25).
+//
+// Nodes behind the plane and up to wall_reach cells in front of it get v_x = U. This is of first order in
+// space; since water next to the plane moves with it, a node changes little when the plane passes it. At 24
+// cells of depth a wave of 0.2 D still has 0.968 of that height after 10 D.
+//
+// Test: tests/unit/mpm/flume_test.cpp.
 #pragma once
 
 #include "mpm/boundaries/wall.h"
@@ -27,8 +29,8 @@ struct Piston {
     double depth = 0.0;      // m, D
     double gravity = 9.81;   // m/s²
     double amplitude = 0.0;  // m, a: half of the stroke of a sine
-    double period = 0.0;     // s
-    double ramp = 0.0;       // s
+    double period = 0.0;     // s, 2π/ω of a sine
+    double ramp = 0.0;       // s, until a sine has its full stroke
 
     bool exists() const { return height > 0.0 || amplitude > 0.0; }
     double position(double time) const;  // X, m; 0 before time 0
@@ -45,8 +47,8 @@ struct Piston {
             return exists && layout.first_node(block[0]) <= last ? this : nullptr;
         }
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& of, WallAction<D>&) const {
-            if (node[0] <= last) of[0] = static_cast<Real>(velocity);
+        void act(const Index<D>& node, Node<Real>& at_node, WallAction<D>&) const {
+            if (node[0] <= last) at_node[0] = static_cast<Real>(velocity);
         }
         // The plane's work is its impulse times its speed.
         void account(WallAction<D>& action) const { action.work = action.impulse[0] * velocity; }

@@ -1,7 +1,7 @@
-// A plane that starts from the left wall at time 0 and pushes.
+// A plane that starts from the left wall at time 0 and pushes what is in front of it.
 //
-// Nodes behind it and the next one before it move along x at least as fast as it does; it holds nothing back.
-// It takes the place of the left wall. Its speed rises as
+// Nodes behind the plane, and the first one in front of it, move along x at least as fast as the plane; it
+// holds nothing back. It takes the place of the left wall. Its speed is
 //
 //     v(t) = speed (1 − cos(πt/ramp))/2      for 0 < t < ramp, then v = speed
 //
@@ -14,7 +14,7 @@ namespace tidewater::mpm {
 
 struct Push {
     double speed = 0.0;  // m/s; 0: no plane
-    double ramp = 0.0;   // s
+    double ramp = 0.0;   // s, until it has its full speed
 
     bool exists() const { return speed != 0.0; }
     double velocity(double time) const;  // m/s; 0 before time 0
@@ -31,17 +31,18 @@ struct Push {
             return exists && layout.first_node(block[0]) <= last ? this : nullptr;
         }
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& of, WallAction<D>& action) const {
+        void act(const Index<D>& node, Node<Real>& at_node, WallAction<D>& action) const {
             if (node[0] > last) return;
-            const auto pushed = std::max(of[0], static_cast<Real>(velocity));
-            const auto gain = static_cast<double>(pushed - of[0]);
-            action.work += static_cast<double>(of[mass_lane]) * gain * velocity;
-            of[0] = pushed;
+            const auto pushed = std::max(at_node[0], static_cast<Real>(velocity));
+            const auto gain = static_cast<double>(pushed - at_node[0]);
+            action.work += static_cast<double>(at_node[mass_lane]) * gain * velocity;
+            at_node[0] = pushed;
         }
     };
     template <int D>
     Acting<D> acting(const Layout<D>& layout, const BoundaryStep& step) const {
-        // One node further than the plane: else what it pushes coasts between two nodes.
+        // It pushes one node in front of the plane too: otherwise a body coasts while the plane is between
+        // two nodes.
         return {layout, exists(),
                 node_at_or_before(step.time ? position(*step.time) : 0.0, layout.cell_size) + 1,
                 step.time ? velocity(*step.time) : 0.0};

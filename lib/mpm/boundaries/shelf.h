@@ -1,10 +1,11 @@
 // A shelf: ground without friction that fills the box from the left wall to x = end and from the bottom to
-// z = top (in 3D for all y).
+// z = top, in 3D for all y.
 //
-// Its top follows `rule`; its front face always lets go. Edges lie on cell edges. Of the two faces the nearer
-// one acts, both at the edge, where the top holds only what presses down on it. A shelf that retreats draws
-// its front back under what lies on it, cell by cell, and leaves water or nothing behind. Test:
-// tests/unit/mpm/boundaries/boundaries_test.cpp.
+// Its top follows `rule`; its front face always separates. Edges lie on cell edges. At each node the nearer
+// of the two faces acts. At the edge both act, and the top holds only what presses down on it. The front of a
+// shelf that retreats is drawn back under what lies on it, cell by cell, and leaves water or nothing behind.
+//
+// Test: tests/unit/mpm/boundaries/boundaries_test.cpp.
 #pragma once
 
 #include "mpm/boundaries/wall.h"
@@ -14,7 +15,7 @@ namespace tidewater::mpm {
 struct Shelf {
     double end = 0.0, top = 0.0;  // m, at time 0; end 0: no shelf
     WallRule rule = WallRule::separate;
-    double retreat = 0.0;  // m/s, of the end from time 0 on, towards the left wall
+    double retreat = 0.0;  // m/s, speed of the end towards the left wall from time 0 on
 
     bool exists() const { return end > 0.0; }
     double end_at(double time) const { return end - retreat * std::max(time, 0.0); }  // m
@@ -24,7 +25,7 @@ struct Shelf {
         const Layout<D>& layout;
         WallRule rule;
         bool exists;
-        int last = 0, top = 0;  // nodes up to both numbers, along x and upward, lie in the shelf
+        int last = 0, top = 0;  // nodes with x ≤ last and z ≤ top, counted in nodes, lie in the shelf
 
         const Acting* on(const Index<D>& block) const {
             const bool inside =

@@ -1,12 +1,13 @@
-// Water before the right wall that takes the waves that enter it.
+// A sponge: water in front of the right wall that absorbs the waves that enter it.
 //
 //     v ← v/(1 + σ Δt),   σ(x) = rate ((x − from)/width)²   for x > from
 //
-// and, if `level` is given, σ of what stands above the still level leaves in a second too (mpm/step/skim.h).
-// Long waves, η = u √(D/g), then enter without an echo: both are damped alike. rate = 10 c/width, c = √(gD),
-// is about the best. What comes back of a solitary wave of 0.2 D, crest and trough, stands in
-// tests/validation/README.md: 3 % at most from a width of 6 D on. Without a level the wave's volume stays and
-// flows back as a long, low wave: 58, 46 and 32 % from widths of 3, 5 and 10 D.
+// If `level` is given, the water above the still level is drained at the same rate σ (mpm/step/skim.h).
+// Surface and velocity are then damped alike, and long waves, η = u √(D/g), enter without an echo. A rate of
+// about 10 c/width, with c = √(gD), is best. Of a solitary wave of 0.2 D, crest and trough, 3 % at most come
+// back from a width of 6 D on (tests/validation/README.md). Without a level the wave's volume stays and flows
+// back as a long, low wave: 58, 46 and 32 % from widths of 3, 5 and 10 D.
+//
 // Tests: tests/unit/mpm/flume_test.cpp, tests/validation/flume_test.cpp.
 #pragma once
 
@@ -15,10 +16,10 @@
 namespace tidewater::mpm {
 
 struct Sponge {
-    double from = 0.0;   // m
+    double from = 0.0;   // m, x at which it begins
     double width = 0.0;  // m, up to the right wall; 0: no sponge
     double rate = 0.0;   // 1/s, σ at the wall
-    double level = 0.0;  // m, of still water; 0: takes no water
+    double level = 0.0;  // m, of still water; 0: drains no water
 
     bool exists() const { return width > 0.0; }
     double damping(double x) const {  // σ, 1/s
@@ -37,16 +38,16 @@ struct Sponge {
             const double end = layout.cell_size * (layout.first_node(block[0]) + Block<D>::width);
             return sponge.exists() && end > sponge.from ? this : nullptr;
         }
-        // Its work is the kinetic energy that the nodes lose, below zero.
+        // The work is the change of the nodes' kinetic energy, which is never above zero.
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& of, WallAction<D>& action) const {
+        void act(const Index<D>& node, Node<Real>& at_node, WallAction<D>& action) const {
             const double kept = 1.0 / (1.0 + dt * sponge.damping(layout.cell_size * node[0]));
             const auto energy = [&] {
-                return 0.5 * static_cast<double>(of[mass_lane]) *
-                       of.template head<D>().template cast<double>().matrix().squaredNorm();
+                return 0.5 * static_cast<double>(at_node[mass_lane]) *
+                       at_node.template head<D>().template cast<double>().matrix().squaredNorm();
             };
             const double before = energy();
-            of.template head<D>() *= static_cast<Real>(kept);
+            at_node.template head<D>() *= static_cast<Real>(kept);
             action.work += energy() - before;
         }
     };

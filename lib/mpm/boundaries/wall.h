@@ -1,5 +1,7 @@
-// What all boundaries of the engine have in common: the rules by which they hold nodes, and the account of
-// what they did. The table of boundaries is mpm/boundaries/boundaries.h.
+// What all boundaries of the engine share: the rules by which they hold nodes, and the account of what they
+// did. The table of boundaries is mpm/boundaries/boundaries.h.
+//
+// Test: tests/unit/mpm/boundaries/boundaries_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -10,27 +12,29 @@
 
 namespace tidewater::mpm {
 
-//     slip      the velocity into or out of the wall is zero, along it free
+// How a wall holds the nodes on it.
+//     slip      the velocity into or out of the wall is zero; along the wall it is free
 //     stick     the velocity is zero
-//     separate  as slip, but what moves away from the wall may leave it
+//     separate  as slip, but nodes that move away from the wall may do so
 enum class WallRule { slip, stick, separate };
 
-// Nodes up to this many cells before a surface that lies anywhere between nodes are held with those behind
-// it. A free node nearer to it finds too little water behind it and sinks (mpm/boundaries/bed.h).
+// A surface that lies anywhere between nodes holds the nodes behind it and those up to this many cells in
+// front of it. A free node nearer to it would find too little water behind it and sink
+// (mpm/boundaries/bed.h).
 inline constexpr double wall_reach = 0.75;
 
 // What a boundary needs to know of a step.
 struct BoundaryStep {
-    std::optional<double> time;    // s; none while the scene settles, before anything moves
-    double dt = 0.0;               // s, over which a sponge damps
-    bool left_wall_moves = false;  // a push or a piston has taken the place of the left wall
+    std::optional<double> time;    // s; empty while the scene settles, before any boundary moves
+    double dt = 0.0;               // s, the time over which a sponge damps
+    bool left_wall_moves = false;  // a push or a piston replaces the left wall
 };
 
 // What boundaries did to the nodes of one block.
 template <int D>
 struct WallAction {
     Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
-    double work = 0.0;  // J: of what moves, its impulse times its speed; of a sponge, below zero
+    double work = 0.0;  // J done on the nodes: impulse times speed of what moves; of a sponge ≤ 0
 
     void add(const WallAction& other) {
         impulse += other.impulse;
@@ -38,7 +42,9 @@ struct WallAction {
     }
 };
 
-// The velocity at a wall across an axis; `outward` is −1 at the origin's wall and +1 at the far one.
+// Applies the rule of a wall to the velocity of a node on it or beyond it.
+//     axis     normal to the wall
+//     outward  −1 at the origin's wall, +1 at the far one
 template <int D, class Real>
 void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
     switch (rule) {
@@ -55,8 +61,9 @@ void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
     }
 }
 
-// Calls change(place of the node, node) for each node with mass of one block; `block` as block_at gives it.
-// Returns the momentum that the changes of velocity gave, kg m/s.
+// Calls change(index of the node, node) for each node of a block that has mass. Returns the impulse that the
+// changes of velocity gave to the nodes, kg m/s.
+//     block  as block_at gives it
 template <int D, class Real, class Change>
 Vector<D, double> change_nodes(const Layout<D>& layout, const Index<D>& block, Node<Real>* nodes,
                                const Change& change) {
@@ -72,7 +79,7 @@ Vector<D, double> change_nodes(const Layout<D>& layout, const Index<D>& block, N
     return impulse;
 }
 
-// The last node along an axis that lies at or before x (m), with a rounding reserve.
+// The last node along an axis at or before x (m), with a margin for rounding.
 inline int node_at_or_before(double x, double cell_size) {
     return static_cast<int>(std::floor(x / cell_size + 1e-6));
 }

@@ -1,8 +1,10 @@
 // The walls of the box.
 //
-// A rule (mpm/boundaries/wall.h) acts on the nodes on the wall's plane and beyond it. Just beyond a wall that
-// slips or sticks, velocities mirror those inside (mpm/grid/mirror.h), so that particles near it move towards
-// the plane ever slower and do not pass it; beyond one that separates a particle can come half a cell.
+// A wall's rule (mpm/boundaries/wall.h) acts on the nodes on its plane and beyond it. Just beyond a wall that
+// slips or sticks, velocities mirror those inside (mpm/grid/mirror.h), so that a particle slows down as it
+// approaches the plane and does not pass it. A wall that separates does not mirror: a particle can come half
+// a cell beyond it.
+//
 // Test: tests/unit/mpm/boundaries/boundaries_test.cpp.
 #pragma once
 
@@ -34,7 +36,7 @@ struct Walls : std::array<std::array<WallRule, 2>, static_cast<std::size_t>(D)> 
     }
 
     bool replaces_left_wall() const { return false; }
-    // Walls that mirror show how full the nodes on them are (mpm/step/crowding.h).
+    // Only walls that do not mirror hide how full the nodes on them are (mpm/step/crowding.h).
     bool hides_fill(const Layout<D>& layout) const;
     bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const;
 };

@@ -1,8 +1,9 @@
-// Which blocks a stage of the step works on: all, or those that a list names.
+// The blocks on which a stage of the step works: all of them, or those that a list names.
 //
-// This is where a step may leave blocks out. A scene that steps its blocks at several rates gives each stage
-// the slots that are due; every stage below loops over the slots that it gets and asks no further. Test:
-// tests/unit/mpm/step/step_test.cpp.
+// This is where a step may leave blocks out. A scene that steps its blocks at several rates would give each
+// stage the slots that are due; every stage loops over the slots that it gets and makes no choice of its own.
+//
+// Test: tests/unit/mpm/step/blocks_test.cpp.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace tidewater::mpm {
 class Slots {
 public:
     static Slots all(std::size_t count) { return Slots(count, {}); }
-    // Ascending; refers to the list.
+    // The slots in `list`, which must be ascending and outlive this.
     static Slots listed(std::span<const std::uint32_t> list) { return Slots(list.size(), list); }
 
     std::size_t size() const { return size_; }
@@ -28,7 +29,7 @@ private:
     std::span<const std::uint32_t> list_;
 };
 
-// Calls work(slot) for each of them, in parallel.
+// Calls work(slot) for each of the slots, in parallel.
 template <class Work>
 void for_each_slot(const Slots& slots, const Work& work) {
     parallel_for(slots.size(), [&](std::size_t n) { work(slots[n]); });
@@ -36,7 +37,8 @@ void for_each_slot(const Slots& slots, const Work& work) {
 
 // The blocks of one step.
 struct StepBlocks {
-    Slots particles, nodes;  // of grid.particle_blocks and grid.node_blocks
+    Slots particles;  // in grid.particle_blocks
+    Slots nodes;      // in grid.node_blocks
 };
 
 template <class Grid>

@@ -10,23 +10,25 @@
 namespace tidewater::mpm {
 namespace {
 
-constexpr int max_rounds = 12;      // to find which nodes press
+constexpr int max_rounds = 12;      // of the iteration that finds which nodes press
 constexpr double min_slope = 0.02;  // |∇s| Δx below which a node sticks
 
 struct NodeContact {
-    int node = 0;  // of its block
-    double mass = 0.0;
-    Eigen::Vector3d arm, velocity, normal;  // of the node before; from the body's centre; outward
+    int node = 0;              // in its block
+    double mass = 0.0;         // kg
+    Eigen::Vector3d arm;       // m, from the body's centre
+    Eigen::Vector3d velocity;  // m/s, before the contact
+    Eigen::Vector3d normal;    // outward; zero where the node sticks
     bool sticks = false, presses = true;
 };
 
-// The nodes of one block that meet one body.
+// The nodes of one block that are in contact with one body.
 struct BlockContacts {
-    std::size_t slot = 0;  // of the node block
+    std::size_t slot = 0;  // in grid.node_blocks
     std::vector<NodeContact> nodes;
 };
 
-// The node blocks in a body's reach, in the order of their places.
+// The node blocks within a range of nodes, by ascending index along x, then y, then z.
 template <int D, class Real>
 std::vector<BlockContacts> blocks_near(const Grid<D, Real>& grid, const NodeRange<D>& range) {
     Index<D> first, last;
@@ -63,7 +65,7 @@ bool within(const NodeRange<D>& range, const Index<D>& node) {
     return true;
 }
 
-// Whether another body has a larger share of the node; of equal ones the first body counts.
+// Whether another body has a larger share of the node; of equal shares the first body's counts.
 template <int D>
 bool taken(const Layout<D>& layout, const std::vector<RigidBody>& bodies,
            const std::vector<NodeRange<D>>& ranges, std::size_t self, const Index<D>& node, double share) {
@@ -80,8 +82,8 @@ template <int D, class Real>
 struct ContactScene {
     const Grid<D, Real>& grid;
     const std::vector<RigidBody>& bodies;
-    std::vector<NodeRange<D>> ranges;  // [body] of nodes that it may have a share of
-    bool held;                         // the scene settles: water slips along all bodies to find its place
+    std::vector<NodeRange<D>> ranges;  // [body] the nodes of which it may have a share
+    bool held;                         // the scene settles: water slips along all bodies, to find its balance
 };
 
 template <int D, class Real>
@@ -119,7 +121,7 @@ struct System {
     Matrix6 a = Matrix6::Zero();
     Vector6 b = Vector6::Zero();
 
-    // A node of this mass and velocity v whose motion along n is the body's.
+    // Adds a node of this mass and velocity v that takes the body's velocity along n.
     void add(double mass, const Eigen::Vector3d& arm, const Eigen::Vector3d& n, const Eigen::Vector3d& v) {
         Vector6 row;
         row << n, arm.cross(n);
@@ -151,8 +153,8 @@ Eigen::Vector3d velocity_at(const Vector6& motion, const Eigen::Vector3d& arm) {
     return motion.head<3>() + motion.tail<3>().cross(arm);
 }
 
-// Which slipping nodes press at this motion of the body. Returns whether that changed. In later turns nodes
-// only stop to press, so that it comes to an end.
+// Updates which slipping nodes press at this motion of the body, and returns whether any changed. In late
+// rounds nodes can only be released, so that the iteration ends.
 bool update_presses(const Vector6& motion, bool late, BlockContacts& block) {
     bool changed = false;
     for (NodeContact& m : block.nodes) {
@@ -165,6 +167,7 @@ bool update_presses(const Vector6& motion, bool late, BlockContacts& block) {
     return changed;
 }
 
+// Impulses (kg m/s) and angular impulses (kg m²/s) on a body from nodes: along their normals and by friction.
 struct ContactImpulse {
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero(),
                     friction = Eigen::Vector3d::Zero(), friction_angular = Eigen::Vector3d::Zero();
@@ -177,40 +180,40 @@ struct ContactImpulse {
     }
 };
 
-// Gives the nodes of a block their velocities; returns what the body got.
+// Gives the nodes of a block their velocities after the contact, and returns the impulse on the body.
 template <int D, class Real>
 ContactImpulse move_nodes(const Vector6& motion, double friction, const BlockContacts& block,
                           Node<Real>* nodes) {
     ContactImpulse received;
     for (const NodeContact& m : block.nodes) {
         const Eigen::Vector3d relative = velocity_at(motion, m.arm) - m.velocity;
-        Eigen::Vector3d change = Eigen::Vector3d::Zero(), rubbing = Eigen::Vector3d::Zero();
+        Eigen::Vector3d change = Eigen::Vector3d::Zero(), dragged = Eigen::Vector3d::Zero();
         if (m.sticks) {
             change = relative;
         } else if (m.presses) {
             const double along = m.normal.dot(relative);
             change = along * m.normal;
             const Eigen::Vector3d slipping = relative - change;
-            const double speed = slipping.norm(), most = friction * std::abs(along);
-            rubbing = speed > most ? Eigen::Vector3d(most / speed * slipping) : slipping;
-            if (friction == 0.0) rubbing.setZero();
+            const double speed = slipping.norm(), max_drag = friction * std::abs(along);
+            dragged = speed > max_drag ? Eigen::Vector3d(max_drag / speed * slipping) : slipping;
+            if (friction == 0.0) dragged.setZero();
         } else {
             continue;
         }
         received.impulse -= m.mass * change;
         received.angular -= m.mass * m.arm.cross(change);
-        received.friction -= m.mass * rubbing;
-        received.friction_angular -= m.mass * m.arm.cross(rubbing);
-        const Vector<D, double> velocity = drop<D>(m.velocity + change + rubbing);
+        received.friction -= m.mass * dragged;
+        received.friction_angular -= m.mass * m.arm.cross(dragged);
+        const Vector<D, double> velocity = drop<D>(m.velocity + change + dragged);
         nodes[m.node].template head<D>() = velocity.template cast<Real>().array();
     }
     return received;
 }
 
-// Where one body is in the search for all motions.
+// One body in the search for the motions of all.
 struct Partner {
     std::vector<BlockContacts> blocks;
-    System alone;  // without nodes
+    System alone;  // the body's equation without nodes
 };
 
 template <int D, class Real>
@@ -223,7 +226,7 @@ std::vector<Partner> find_partners(const ContactScene<D, Real>& scene, const Con
                      [&](std::size_t k) { find_block_contacts(scene, n, partner.blocks[k]); });
         const RigidBody& body = scene.bodies[n];
         Eigen::Vector3d fallen = body.velocity;
-        fallen[2] -= step.falling * step.gravity;
+        fallen[2] -= step.gravity_dt * step.gravity;
         partner.alone.a.diagonal().head<3>().setConstant(body.mass);
         partner.alone.a.bottomRightCorner<3, 3>() = world_inertia(body);
         partner.alone.b << body.mass * fallen, body.angular_momentum;
@@ -231,7 +234,7 @@ std::vector<Partner> find_partners(const ContactScene<D, Real>& scene, const Con
     return partners;
 }
 
-// The motions of all bodies for the nodes that press now, and the contacts' impulses with them.
+// The motions of all bodies if the nodes that press now keep pressing; sets the contacts' impulses too.
 template <int D>
 std::vector<Vector6> solve(double dt, const std::vector<Partner>& partners,
                            std::vector<ContactPoint>& contacts) {
@@ -254,12 +257,12 @@ template <int D>
 std::vector<Vector6> find_motions(double dt, bool held, std::vector<Partner>& partners,
                                   std::vector<ContactPoint>& contacts) {
     std::vector<Vector6> motion(partners.size(), Vector6::Zero());
-    for (int turn = 0; turn < max_rounds; ++turn) {
+    for (int round = 0; round < max_rounds; ++round) {
         if (!held) motion = solve<D>(dt, partners, contacts);
         bool changed = false;
         for (std::size_t n = 0; n < partners.size(); ++n) {
             for (BlockContacts& block : partners[n].blocks) {
-                changed = update_presses(motion[n], 2 * turn > max_rounds, block) || changed;
+                changed = update_presses(motion[n], 2 * round > max_rounds, block) || changed;
             }
         }
         if (!changed || held) return motion;
@@ -290,7 +293,7 @@ void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, 
         for (const ContactImpulse& part : of_block) received.add(part);
         body.water_impulse += received.impulse + received.friction;
         body.water_angular_impulse += received.angular + received.friction_angular;
-        if (step.held) {  // by something outside of the scene, which takes the impulse
+        if (step.held) {  // something outside of the scene holds the body and takes its impulse
             wall_impulse -= drop<D>(received.impulse + received.friction);
             continue;
         }
@@ -300,9 +303,9 @@ void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, 
     }
     for (const ContactPoint& point : points) {
         const Eigen::Vector3d impulse = point.impulse * point.on_a.head<3>();
-        bodies[static_cast<std::size_t>(point.a)].contact_impulse += impulse;
-        if (point.b >= 0)
-            bodies[static_cast<std::size_t>(point.b)].contact_impulse -= impulse;
+        bodies[point.a].contact_impulse += impulse;
+        if (point.b)
+            bodies[*point.b].contact_impulse -= impulse;
         else
             wall_impulse += drop<D>(impulse);
     }

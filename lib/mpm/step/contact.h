@@ -1,46 +1,50 @@
-// Rigid bodies in the grid: the nodes that a body has a share of meet its surface.
+// Contact of rigid bodies with the grid: the nodes of which a body has a share follow its surface.
 //
 // A node i with mass m_i, of which the body's share (mpm/bodies/rigid.h) is above min_share, takes part:
 //
 //     stick    v_i' = U(x_i),   U(x) = V + ω × (x − c)
 //     slip     v_i' = v_i + n n·(U(x_i) − v_i)   where that presses on the water, else v_i' = v_i,
-//              with n = −∇s/|∇s|; then friction changes what slips along n by at most μ times the change
-//              along n. (Deep inside, where ∇s says nothing, a node sticks.)
+//              with n = −∇s/|∇s|. Friction then changes the velocity along the surface by at most μ times the
+//              change along n. Deep inside, where ∇s gives no direction, a node sticks.
 //
-// The body's motion u = (V, ω) and these velocities are found together, so that what the nodes gain the body
-// loses, linear and angular momentum alike:
+// The body's motion u = (V, ω) and these velocities are found together, so that the body loses the impulse
+// and the angular impulse that the nodes gain:
 //
 //     [diag(M, I) + Σ m_i J_iᵀ P_i J_i] u = (M V*, L*) + Σ m_i J_iᵀ P_i v_i + walls,      P = 1 or n nᵀ
 //
-// with J u = V + ω × r, V* after gravity. Which slipping nodes press is found by turns; the impulses of walls
-// and other bodies (mpm/bodies/collide.h) are part of it. Implicit in the added mass: light bodies and large
-// steps stay stable. A node that two bodies share meets the one with the larger share.
+// with J u = V + ω × r and V* the velocity after gravity. Iteration finds which of the slipping nodes press.
+// The impulses of walls and other bodies (mpm/bodies/collide.h) are part of the solution. The scheme is
+// implicit in the added mass, so that light bodies and large steps stay stable. Of two bodies that share a
+// node, the one with the larger share is in contact with it.
 //
-// Only nodes of blocks near a body are looked at. Water's volume knows where the body's surface is by its
-// share (mpm/step/crowding.h), not by which nodes take part.
+// Only nodes of blocks near a body are visited. The volume of water depends on the bodies' shares
+// (mpm/step/crowding.h), not on which nodes take part here.
 //
-// min_share is that of a node wall_reach cells outside of a flat face (mpm/boundaries/wall.h says why not 0).
-// Source: the family of Bardenhagen et al. (2000) contacts, with an implicit rigid partner. Test:
-// tests/unit/mpm/step/contact_test.cpp.
+// Source: the family of Bardenhagen et al. (2000) contacts, with an implicit rigid partner.
+// Tests: tests/unit/mpm/step/contact_test.cpp, tests/unit/mpm/bodies/collide_test.cpp.
 #pragma once
 
 #include "mpm/state/simulation.h"
 
 namespace tidewater::mpm {
 
-// (1.5 − wall_reach)³/6
+// The share (1.5 − wall_reach)³/6 of a node that lies wall_reach cells outside of a flat face: bodies hold
+// nodes as far in front of them as other surfaces do, and for the same reason (mpm/boundaries/wall.h).
 inline constexpr double min_share = (1.5 - wall_reach) * (1.5 - wall_reach) * (1.5 - wall_reach) / 6.0;
 
-// What the contacts need to know of a step.
+// What contacts need to know of a step.
 struct ContactStep {
-    double dt = 0.0;       // s, of the forces that the nodes' velocities have
-    double falling = 0.0;  // s, of their weight that bodies have not been given yet
-    double gravity = 0.0;  // m/s²
-    bool held = false;     // the scene settles: bodies stay, and water slips along all of them
+    double dt = 0.0;          // s, the step whose forces the nodes' velocities have
+    double gravity_dt = 0.0;  // s, for which bodies still have to get gravity's impulse
+    double gravity = 0.0;     // m/s²
+    bool held = false;        // the scene settles: bodies stay in place, and water slips along all of them
 };
 
-// Gives the bodies their weight's impulse, and bodies and nodes each other's. Impulses of walls on bodies,
-// and of what holds bodies while the scene settles, go to wall_impulse, kg m/s.
+// Gives the bodies gravity's impulse and resolves their contacts with nodes, walls, the bed and each other.
+//     grid          reads the masses and velocities of nodes; writes the velocities of those in contact
+//     bodies        reads their motions; writes these and their impulses, and pushes back what is too deep
+//     wall_impulse  adds the impulses of walls and bed on bodies, and of what holds bodies while the scene
+//                   settles, kg m/s
 template <int D, class Real>
 void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, Grid<D, Real>& grid,
                       std::vector<RigidBody>& bodies, Vector<D, double>& wall_impulse);

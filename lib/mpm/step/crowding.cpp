@@ -12,8 +12,8 @@
 namespace tidewater::mpm {
 namespace {
 
-// The nodes of a block's tile and one more on each side, of which smoothing needs the neighbours; and
-// upwards, along the last axis, still one, since whether a node counts depends on the one above it.
+// The nodes of a block's tile and one more on each side, because smoothing reads neighbours. Upward, along
+// the last axis, there is yet another one, because whether a node counts depends on the one above it.
 template <int D>
 struct Surround {
     static constexpr int rim = 2, side = Block<D>::width + 2 * rim + 1, height = side + 1;
@@ -30,8 +30,8 @@ constexpr int stride_of(int axis) {
     return axis == D - 1 ? 1 : power(Surround<D>::side, D - 2 - axis) * Surround<D>::height;
 }
 
-// Calls visit(index in the surround, place of the node block among the 3^D, node in it, count) for runs along
-// the last axis.
+// Calls visit(index in the surround, number of the node block among the 3^D neighbours, node in it, count)
+// for each run of nodes along the last axis that lies in one block.
 template <int D, class Visit>
 void for_each_run(const Visit& visit) {
     constexpr int rim = Surround<D>::rim, side = Surround<D>::side, height = Surround<D>::height;
@@ -52,8 +52,8 @@ void for_each_run(const Visit& visit) {
     }
 }
 
-// Calls visit(first node, stride, nodes, where in it the wall lies, which way is inward) for all rows of
-// nodes along an axis at whose end or beginning there is a mirroring wall in reach.
+// Calls visit(first node, stride, count, index of the wall's plane in the row, inward) for all rows of nodes
+// that run along an axis towards a mirroring wall within reach; inward is +1 or −1 along the row.
 template <int D, class Visit>
 void for_each_row_to_a_wall(const Layout<D>& layout, const Index<D>& block, const Visit& visit) {
     constexpr int rim = Surround<D>::rim;
@@ -67,7 +67,7 @@ void for_each_row_to_a_wall(const Layout<D>& layout, const Index<D>& block, cons
     });
 }
 
-// Nodes on a mirroring wall are half in the tank.
+// Doubles the fill of nodes on a mirroring wall, since only half of such a node is in the tank.
 template <int D, class Real>
 void double_on_walls(const Layout<D>& layout, const Index<D>& block, Real* fill) {
     for_each_row_to_a_wall<D>(layout, block, [&](int row, int stride, int along, int plane, int) {
@@ -75,7 +75,7 @@ void double_on_walls(const Layout<D>& layout, const Index<D>& block, Real* fill)
     });
 }
 
-// What lies beyond a mirroring wall is the image of what lies before.
+// Makes the nodes beyond a mirroring wall images of those inside.
 template <int D, class Real>
 void reflect_in_walls(const Layout<D>& layout, const Index<D>& block, Real* e) {
     for_each_row_to_a_wall<D>(layout, block, [&](int row, int stride, int along, int plane, int inward) {
@@ -87,14 +87,14 @@ void reflect_in_walls(const Layout<D>& layout, const Index<D>& block, Real* e) {
     });
 }
 
-// What rigid bodies fill of the nodes.
+// Adds the shares that rigid bodies have of the nodes.
 template <int D, class Real>
 void add_bodies(const Layout<D>& layout, const std::vector<RigidBody>& bodies, const Index<D>& block,
                 Real* fill) {
     constexpr int rim = Surround<D>::rim;
     for (const RigidBody& body : bodies) {
         const NodeRange<D> range = reach_of<D>(layout, body);
-        Index<D> first, widths;  // of what it covers of the surround, counted there
+        Index<D> first, widths;  // of the part of the surround that the body covers, counted in the surround
         int count = 1;
         for (std::size_t axis = 0; axis < D; ++axis) {
             const int origin = layout.first_node(block[axis]) - rim;
@@ -116,6 +116,7 @@ void add_bodies(const Layout<D>& layout, const std::vector<RigidBody>& bodies, c
     }
 }
 
+// Smooths by (¼, ½, ¼) along each axis; the outermost nodes keep their values along it.
 template <int D, class Real>
 void smooth(Real* e) {
     for (int axis = 0; axis < D; ++axis) {
@@ -134,8 +135,9 @@ void smooth(Real* e) {
     }
 }
 
-// From the fill without and with rigid bodies to e, except in the uppermost nodes of each row, which serve
-// the ones below them alone.
+// Turns the fill into e, except in the uppermost node of each row, which only serves the one below it.
+//     water  fill without rigid bodies
+//     fill   fill with rigid bodies; becomes e
 template <int D, class Real>
 void fill_to_crowding(const Real* water, Real* fill) {
     constexpr int height = Surround<D>::height;
@@ -148,17 +150,18 @@ void fill_to_crowding(const Real* water, Real* fill) {
     }
 }
 
-// Whether a boundary or a solid may hide how full a node is of water, anywhere in the scene.
+// Whether a boundary or a solid may hide how full of water a node is, anywhere in the scene.
 template <int D, class Real>
 bool may_be_unknown(const Boundaries<D>& boundaries, const Layout<D>& layout,
                     const std::vector<Particles<D, Real>>& bodies) {
     bool unknown = false;
-    for_each_boundary(boundaries, [&](const auto& of) { unknown = unknown || of.hides_fill(layout); });
+    for_each_boundary(boundaries,
+                      [&](const auto& boundary) { unknown = unknown || boundary.hides_fill(layout); });
     for (const auto& particles : bodies) unknown = unknown || particles.material != Material::water;
     return unknown;
 }
 
-// Marks the nodes of a block that the solids in block `slot` touch now, or a cell further on.
+// Marks the nodes of a node block that solids in particle block `slot` reach, and those one cell further.
 template <int D, class Real>
 void mark_solids(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies, std::size_t slot,
                  const Index<D>& node_block, std::uint8_t* marks) {
@@ -208,8 +211,8 @@ std::vector<std::uint8_t> find_unknown_fill(const Parameters<D>& parameters, dou
         for (int n = 0; n < Block<D>::nodes; ++n) {
             const Index<D> node = node_at(grid.layout, block, n);
             bool hidden = false;
-            for_each_boundary(boundaries, [&](const auto& of) {
-                hidden = hidden || of.hides_fill_at(grid.layout, time, node);
+            for_each_boundary(boundaries, [&](const auto& boundary) {
+                hidden = hidden || boundary.hides_fill_at(grid.layout, time, node);
             });
             marks[n] = hidden;
         }

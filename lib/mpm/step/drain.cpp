@@ -6,7 +6,8 @@
 namespace tidewater::mpm {
 namespace {
 
-// Whether a particle of the block may have passed; it may have drifted half a cell out of its block.
+// Whether a particle of the block may have passed the outlet; it may have drifted half a cell out of the
+// block.
 template <int D>
 bool reaches(const Layout<D>& layout, const Outlet& outlet, const Index<D>& block) {
     const auto end = [&](std::size_t axis) {
@@ -15,7 +16,7 @@ bool reaches(const Layout<D>& layout, const Outlet& outlet, const Index<D>& bloc
     return end(0) > outlet.from && end(D - 1) > outlet.level;
 }
 
-// The particles of `slot` that have passed, in order.
+// The particles of block `slot` that have passed the outlet, ascending.
 template <int D, class Real>
 std::vector<std::size_t> passed(const Outlet& outlet, const Grid<D, Real>& grid,
                                 const Particles<D, Real>& particles, std::size_t slot) {

@@ -9,7 +9,7 @@
 namespace tidewater::mpm {
 namespace {
 
-// What is wrong with a particle; null if nothing is.
+// Says what is wrong with a particle; null if nothing is.
 template <int D, class Real>
 const char* complaint(const Particles<D, Real>& particles, std::size_t p, bool may_fail) {
     bool finite = particles.j.empty() || std::isfinite(particles.j[p]);
@@ -23,7 +23,7 @@ const char* complaint(const Particles<D, Real>& particles, std::size_t p, bool m
     return what;
 }
 
-// Names a particle whose state cannot be used; empty if there is none.
+// Names the first particle whose state cannot be used; empty if there is none.
 template <int D, class Real>
 std::string bad_particle(const Interval& interval, const Parameters<D>& parameters,
                          const std::vector<Particles<D, Real>>& bodies) {

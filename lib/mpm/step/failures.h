@@ -1,4 +1,6 @@
-// What a step says when it cannot go on: which step, which phase, which particle or place, and what to do.
+// The errors that stop a step: they name the step, the phase, the particle or place, and what to do.
+//
+// Test: tests/unit/mpm/step/step_test.cpp.
 #pragma once
 
 #include <string>
@@ -7,14 +9,16 @@
 
 namespace tidewater::mpm {
 
-// "step 12, t = 0.3 s, phase sort: "
+// The beginning of a message: "step 12, t = 0.300000 s, phase sort: ".
 std::string where(const Interval& interval, const char* phase);
 
-// Throw NumericsError that names a particle whose state cannot be used, or the place of a node block where a
-// velocity is not finite.
+// Throws a NumericsError that names the first particle whose state cannot be used.
 template <int D, class Real>
 [[noreturn]] void fail_at_bad_particle(const Interval& interval, const Parameters<D>& parameters,
                                        const std::vector<Particles<D, Real>>& bodies);
+
+// Throws a NumericsError for a velocity that is not finite in node block `slot`: it names the particle that
+// is the cause, if there is one, else the place of the block.
 template <int D, class Real>
 [[noreturn]] void fail_at_bad_node(const Interval& interval, const Parameters<D>& parameters,
                                    const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies,

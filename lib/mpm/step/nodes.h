@@ -1,7 +1,9 @@
 // The nodes' part of a step: tiles → nodes, momentum → velocity, gravity, boundaries.
 //
-// The first two stages work on one block of nodes each, so that the driver may call them one after the other
-// while the block is in the cache (mpm/step/step.cpp).
+// sum_momenta and bound_velocities work on one block of nodes each, so that the driver may call one after the
+// other while the block is in the cache (mpm/step/step.cpp).
+//
+// Tests: tests/unit/mpm/step/blocks_test.cpp, tests/unit/mpm/twin_test.cpp.
 #pragma once
 
 #include "mpm/boundaries/boundaries.h"
@@ -10,24 +12,27 @@
 
 namespace tidewater::mpm {
 
-// Sums the tiles that reach node block `slot` and turns momenta into velocities, to which `kick` (m/s) is
-// added along the last axis. It asks the grid alone which tiles there are, not who filled them: particles of
-// this process, or those of a neighbour whose tiles were copied here.
+// Sums the tiles that reach node block `slot`, turns momenta into velocities and adds `kick` (m/s), the
+// change by gravity, along the last axis. Reads the grid's tiles and writes the block's nodes. Which tiles
+// there are is known from the grid alone, so they may come from particles of this process or be copies of a
+// neighbour's.
 template <int D, class Real>
 void sum_momenta(Real kick, std::size_t slot, Grid<D, Real>& grid);
 
-// What the boundaries did to a block of nodes, and max. |v|² afterwards, m²/s²; NaN if one is not finite.
+// What bound_velocities found in a block of nodes.
 template <int D>
 struct NodeResult {
-    WallAction<D> action;
-    double max_speed2 = 0.0;
+    WallAction<D> action;     // what the boundaries did
+    double max_speed2 = 0.0;  // max. |v|² afterwards, m²/s²; NaN if a velocity is not finite
 };
 
+// Applies the boundaries to the velocities of node block `slot`.
 template <int D, class Real>
 NodeResult<D> bound_velocities(const ActingBoundaries<D>& acting, std::size_t slot, Grid<D, Real>& grid);
 
-// Adds what walls that mirror give to the particles when these read the nodes' velocities next; uses up the
-// masses that folding kept in the tiles.
+// Adds to wall_impulse (kg m/s) what walls that mirror will give to the particles when these next read the
+// nodes' velocities. Reads these velocities, and reads and clears the masses that folding kept in the tiles.
+//     particle_slots  the blocks whose tiles are unfolded
 template <int D, class Real>
 void add_unfolding_impulse(const Slots& particle_slots, Grid<D, Real>& grid, Vector<D, double>& wall_impulse);
 

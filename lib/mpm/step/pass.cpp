@@ -11,8 +11,8 @@
 namespace tidewater::mpm {
 namespace {
 
-// One batch after the other; kernel.update(first, count, batch) advances strains and turns the batch's
-// velocities and gradients into momenta and their gradients.
+// Passes over the particles of a block, one batch after the other. kernel.update(first, count, batch)
+// advances strains and turns the batch's velocities and gradients into momenta and their gradients.
 template <int D, class Real, class Kernel>
 void pass_particles(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
                     Strips<D, Real>& to, Particles<D, Real>& particles, Kernel& kernel) {

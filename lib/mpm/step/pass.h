@@ -1,8 +1,11 @@
 // The particles' part of a step, block by block: grid → particle, material, motion, particle → grid.
 //
 // The kernels are separate functions over a batch of particles (mpm/particles/transfer_batch.h and the table
-// of mpm/materials/materials.h); this is the loop that calls them while the batch is in the first-level
-// cache. One instance per material, chosen per block: no branch on the material inside.
+// of mpm/materials/materials.h). This is the loop that calls them while the batch is in the first-level
+// cache. There is one instance of the loop per material, chosen per block, so that there is no branch on the
+// material inside.
+//
+// Tests: tests/unit/mpm/twin_test.cpp, tests/unit/mpm/step/blocks_test.cpp.
 #pragma once
 
 #include "mpm/materials/materials.h"
@@ -11,34 +14,41 @@
 
 namespace tidewater::mpm {
 
-// What the blocks of one pass share.
+// The numbers of a pass that are the same for all blocks.
 template <int D, class Real>
 struct PassContext {
     Real cells_per_speed;  // Δt/Δx
-    Real shift;            // of the rounding of positions (mpm/particles/position.h)
+    Real shift;            // shift of the rounding of positions (mpm/particles/position.h)
     MaterialSteps<D, Real> materials;
 
     PassContext(const Interval& interval, const Parameters<D>& parameters, double cell_size);
 };
 
-// What a pass over one block gave.
+// What a pass over one block found.
 template <int D>
 struct PassResult {
     Findings findings;
-    Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s, of walls that mirror
+    Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s, from walls that mirror
 };
 
-// Reads velocities from `from` (a tile of Block<D>::tile_size nodes), advances the particles of block `slot`
-// and adds them with the forces of the next step to its tile of the grid, which is cleared first and
-// afterwards folded at walls that mirror. Before and after, positions must lie within ½ cell of the block:
-// the caller sorts in time. Blocks may run in parallel. Test: tests/unit/mpm/twin_test.cpp.
+// Advances the particles of block `slot` with the velocities in `from`, and writes their mass and momentum,
+// with the forces of the next step, to the block's tile of the grid, folded at walls that mirror. Blocks may
+// run in parallel.
+//     from    Block<D>::tile_size nodes: velocities and, for water of the scheme `density`, the crowding
+//     grid    writes the tile of the block only
+//     bodies  position and strain of the block's particles advance; before and after, positions must
+//             lie within ½ cell of the block, for which the caller sorts in time
 template <int D, class Real>
 PassResult<D> pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,
                               Grid<D, Real>& grid, std::vector<Particles<D, Real>>& bodies);
 
-// The pass over all blocks of `slots`. Adds what the walls gave to wall_impulse, kg m/s, in the slots' order.
-// Throws NumericsError naming a particle whose state cannot be used.
-//     rigid, unknown_fill  as in Simulation, for the crowding of water
+// Passes over the particle blocks in `slots`: loads the velocities and the crowding around each block from
+// the grid's nodes, and advances its particles. Throws a NumericsError that names a particle whose state
+// cannot be used.
+//     rigid, unknown_fill  as in Simulation; read for the crowding of water
+//     grid                 reads the nodes, writes the tiles of the slots
+//     bodies               position and strain of the slots' particles advance
+//     wall_impulse         adds what walls that mirror gave, kg m/s, in the order of the slots
 template <int D, class Real>
 Findings pass_over_blocks(const Interval& interval, const Parameters<D>& parameters, const Slots& slots,
                           const std::vector<RigidBody>& rigid, const std::vector<std::uint8_t>& unknown_fill,

@@ -9,7 +9,7 @@
 namespace tidewater::mpm {
 namespace {
 
-// Adds the velocities that a block's particles read from a tile, as momenta, to the strips.
+// Adds the momenta that a block's particles have with the velocities of a tile to the strips.
 template <int D, class Real>
 void carry(const Particles<D, Real>& particles, std::size_t slot, const Real* from, Strips<D, Real>& to) {
     TransferBatch<D, Real> batch;
@@ -22,7 +22,7 @@ void carry(const Particles<D, Real>& particles, std::size_t slot, const Real* fr
     });
 }
 
-// [particle block][Block<D>::tile_size]: momenta and masses after the trip.
+// The momenta and masses of all tiles after the trip, [particle block][Block<D>::tile_size].
 template <int D, class Real>
 std::vector<Node<Real>> round_trip(const std::vector<Particles<D, Real>>& bodies, const Grid<D, Real>& grid) {
     std::vector<Node<Real>> tiles(grid.tiles.size());

@@ -10,7 +10,7 @@
 namespace tidewater::mpm {
 namespace {
 
-constexpr int quiet_peaks = 3;  // in a row: one alone may be the ebb of a beat
+constexpr int quiet_peaks = 3;  // in a row; a single one may be the minimum of a beat
 
 template <int D, class Real>
 bool has_ice(const Simulation<D, Real>& s) {
@@ -20,9 +20,10 @@ bool has_ice(const Simulation<D, Real>& s) {
     return false;
 }
 
-// Mass (kg) and kinetic energy (J) of what is to come to rest.
+// The particles that are to come to rest: those of ice, or all without ice.
 struct Motion {
-    double mass = 0.0, energy = 0.0;
+    double mass = 0.0;    // kg
+    double energy = 0.0;  // kinetic, J
 };
 
 template <int D, class Real>

@@ -11,22 +11,23 @@ namespace {
 
 // A particle that may leave.
 struct Candidate {
-    double height;
-    std::size_t body, particle;
+    double height;               // m
+    std::size_t body, particle;  // indices
 };
 
 // What one column holds.
 struct Content {
-    double volume = 0.0;  // m³
-    std::vector<Candidate> top;
+    double volume = 0.0;         // of water at rest, m³
+    std::vector<Candidate> top;  // particles high enough to leave
 };
 
-// Volume at rest of the water that stands so deep, per area, m.
+// The volume at rest, per area (m), of still water of this depth (m).
 double still_depth(double depth, double gravity, const WaterModel& water) {
     return water.scheme == WaterScheme::density ? weighed_depth(depth, gravity, water) : depth;
 }
 
-// Water in a column at rest: the mean over its lines of nodes' middles of what is above the bed.
+// V_still of each column, m³. Over a bed it is the mean over vertical lines, at most a cell apart, of the
+// water above the bed.
 template <int D>
 std::vector<double> still_volumes(const Parameters<D>& parameters, double dx, const SkimColumns<D>& columns) {
     const double level = parameters.boundaries.sponge.level;
@@ -53,11 +54,12 @@ std::vector<double> still_volumes(const Parameters<D>& parameters, double dx, co
     return volumes;
 }
 
+// Collects the water in each column.
 template <int D, class Real>
 std::vector<Content> contents(double level, const Grid<D, Real>& grid,
                               const std::vector<Particles<D, Real>>& bodies, const SkimColumns<D>& columns) {
     const Layout<D>& layout = grid.layout;
-    const double lowest = level - layout.cell_size;
+    const double min_height = level - layout.cell_size;
     std::vector<Content> contents(static_cast<std::size_t>(columns.total()));
     for (std::size_t slot = 0; slot < grid.particle_blocks.size(); ++slot) {
         const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
@@ -68,11 +70,11 @@ std::vector<Content> contents(double level, const Grid<D, Real>& grid,
             if (particles.material != Material::water) continue;
             for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 const Vector<D, double> point = global_position(layout, block, particles, p);
-                const int column = columns.at(point);
-                if (column < 0) continue;
-                Content& content = contents[static_cast<std::size_t>(column)];
+                const std::optional<int> column = columns.at(point);
+                if (!column) continue;
+                Content& content = contents[static_cast<std::size_t>(*column)];
                 content.volume += particles.volume;
-                if (point[D - 1] > lowest) content.top.push_back({point[D - 1], body, p});
+                if (point[D - 1] > min_height) content.top.push_back({point[D - 1], body, p});
             }
         }
     }
@@ -94,8 +96,8 @@ double SkimColumns<D>::area() const {
 }
 
 template <int D>
-int SkimColumns<D>::at(const Vector<D, double>& point) const {
-    if (point[0] < low[0]) return -1;
+std::optional<int> SkimColumns<D>::at(const Vector<D, double>& point) const {
+    if (point[0] < low[0]) return std::nullopt;
     int column = 0;
     for (int axis = 0; axis < across; ++axis) {
         const int count = counts[static_cast<std::size_t>(axis)];

@@ -15,9 +15,9 @@
 namespace tidewater::mpm {
 namespace {
 
-// A bound of the speed of all particles, m/s: the nodes' and, only where that is too much for the step, the
-// particles' own. A node at the edge of what a lone particle reaches has almost none of its mass, and may be
-// several times as fast.
+// An upper bound of the speed of all particles, m/s. It is the nodes' speed or, only where that is too much
+// for the step, the particles' own: a node at the rim of a lone particle's stencil has almost none of its
+// mass and may be several times as fast.
 template <int D, class Real>
 double max_particle_speed(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies,
                           double node_speed, double dt) {

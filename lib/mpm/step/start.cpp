@@ -15,7 +15,7 @@
 namespace tidewater::mpm {
 namespace {
 
-// The depth of each point of a body of water below its surface, m.
+// The depth at which each point of a body of water starts, m: its head, or how far it lies below the surface.
 template <int D>
 std::vector<double> depths(const typename Start<D>::Body& body) {
     if (!body.head.empty()) return body.head;
@@ -24,16 +24,16 @@ std::vector<double> depths(const typename Start<D>::Body& body) {
     return depth;
 }
 
-// Water of the scheme `density` that is compressed by its weight: equal masses lie closer the deeper they
-// are, so that volumes and room agree from the start. The points move within their column, from its bottom to
-// the surface, and the body's mass becomes that of columns so filled. Returns j of each point.
+// Compresses water of the scheme `density` by its weight: equal masses lie closer together the deeper they
+// are, so that volumes and room agree from the start. The points move within their column, between its bottom
+// and the surface, and the body's mass becomes that of columns so filled. Returns j of each point.
 template <int D>
 std::vector<double> compress(const Start<D>& start, typename Start<D>::Body& body) {
     const WaterModel& water = start.parameters.water;
     const double gravity = start.parameters.gravity;
     std::vector<double> j = depths<D>(body);
-    double denser =
-        0.0;  // mean over the points of the mass of their column over that of water without weight
+    // The mean over the points of their column's mass over that of water without weight.
+    double denser = 0.0;
     for (std::size_t p = 0; p < j.size(); ++p) {
         const double depth = std::max(j[p], 0.0);
         double& z = body.points[p][D - 1];
@@ -52,7 +52,7 @@ std::vector<double> compress(const Start<D>& start, typename Start<D>::Body& bod
     return j;
 }
 
-// j of each point of a body of water, which compress may move.
+// Returns j of each point of a body of water in hydrostatic balance. The scheme `density` moves its points.
 template <int D>
 std::vector<double> hydrostatic_columns(const Start<D>& start, typename Start<D>::Body& body) {
     if (start.parameters.water.scheme == WaterScheme::density) return compress(start, body);
@@ -61,7 +61,7 @@ std::vector<double> hydrostatic_columns(const Start<D>& start, typename Start<D>
     return j;
 }
 
-// α = −asinh(p0/κ)/ξ of each point that is weaker than intact ice; what has no strength left has failed at
+// Sets α = −asinh(p0/κ)/ξ of each point that is weaker than intact ice; ice without strength has failed at
 // time 0.
 template <int D, class Real>
 void weaken(const IceModel& ice, const std::vector<float>& strength, Particles<D, Real>& particles) {
@@ -74,7 +74,8 @@ void weaken(const IceModel& ice, const std::vector<float>& strength, Particles<D
     }
 }
 
-// Makes the columns that the material keeps, in the order of the points; `j` of each point of water.
+// Makes the columns that the material keeps, in the order of the points.
+//     j  of each point of water; empty for other materials
 template <int D, class Real>
 void fill_columns(const Start<D>& start, const typename Start<D>::Body& body, const std::vector<double>& j,
                   Particles<D, Real>& particles) {
@@ -86,14 +87,14 @@ void fill_columns(const Start<D>& start, const typename Start<D>::Body& body, co
         weaken(start.parameters.ice, body.strength, particles);
 }
 
-// The start's velocities on the nodes; ids of a body count up from first_id.
+// Brings the start's velocities to the nodes and finds their max. speed.
 template <int D, class Real>
 void scatter_start(const Start<D>& start, const std::vector<const typename Start<D>::Body*>& bodies,
                    Simulation<D, Real>& s) {
     parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
         Node<Real>* tile = s.grid.tile(slot);
         std::fill_n(tile, Block<D>::tile_size, Node<Real>::Zero());
-        std::uint32_t first_id = 0;
+        std::uint32_t first_id = 0;  // of the body; its ids count up from there
         for (std::size_t body = 0; body < bodies.size(); ++body) {
             const auto& particles = s.bodies[body];
             const auto& velocity = bodies[body]->velocity;
@@ -115,18 +116,18 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
             first_id += static_cast<std::uint32_t>(particles.size());
         }
     });
-    std::vector<double> greatest(s.grid.node_blocks.size(), 0.0);
-    parallel_for(greatest.size(), [&](std::size_t slot) {
+    std::vector<double> max_of_block(s.grid.node_blocks.size(), 0.0);  // not finite if a speed is not
+    parallel_for(max_of_block.size(), [&](std::size_t slot) {
         Node<Real>* nodes = s.grid.block_nodes(slot);
         sum_tiles<D, Real>(s.grid.tiles_of_node[slot], s.grid.tiles.data(), nodes);
         momentum_to_velocity<D, Real>(Real(0), nodes);
         for (int n = 0; n < Block<D>::nodes; ++n) {
             const double speed = static_cast<double>(nodes[n].template head<D>().matrix().norm());
-            if (!(speed <= greatest[slot])) greatest[slot] = speed;  // also if it is not a number
+            if (!(speed <= max_of_block[slot])) max_of_block[slot] = speed;
             if (!std::isfinite(speed)) return;
         }
     });
-    for (const double speed : greatest) {
+    for (const double speed : max_of_block) {
         if (!std::isfinite(speed)) throw NumericsError("a velocity of the start is not a number");
         s.speeds.particle = std::max(s.speeds.particle, speed);
     }

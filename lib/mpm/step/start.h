@@ -1,36 +1,42 @@
-// How a simulation begins: bodies of particles in a box.
+// The start of a simulation: bodies of particles, and rigid bodies, in a box.
+//
+// Test: tests/unit/mpm/step/start_test.cpp.
 #pragma once
 
 #include "mpm/state/simulation.h"
 
 namespace tidewater::mpm {
 
-// What a simulation starts from. Points in m, in the box from 0 to cells Δx.
+// What a simulation starts from. Points are in m, in the box from 0 to cells Δx.
 template <int D>
 struct Start {
     struct Body {
         Material material = Material::water;
         std::vector<Vector<D, double>> points;
-        std::vector<Vector<D, double>> velocity;  // of each point, m/s; empty: at rest
-        std::vector<Matrix<D, double>> gradient;  // ∂v/∂x of each point, 1/s; empty: zero
-        double mass = 0.0;                        // of the whole body, kg
-        double volume = 0.0;                      // of the whole body at rest, m³
-        double surface = 0.0;      // water: height of the still surface, from which it starts hydrostatic, m
-        std::vector<double> head;  // water: p/ρg that each point starts with, m; empty: depth below surface
-        std::vector<float> strength;  // ice: p0 that each point starts with over that of intact ice, in
-                                      // [0, 1]; empty: 1; 0 has failed
+        std::vector<Vector<D, double>> velocity;  // [point] m/s; empty: at rest
+        std::vector<Matrix<D, double>> gradient;  // [point] ∂v/∂x, 1/s; empty: zero
+        double mass = 0.0;                        // kg, of the whole body
+        double volume = 0.0;                      // m³, of the whole body at rest
+        double surface = 0.0;                     // water: height of the still surface, m
+        std::vector<double> head;                 // water: [point] p/ρg, m; empty: depth below surface
+        std::vector<float> strength;              // ice: [point] p0 over that of intact ice, in [0, 1];
+                                                  // 0: has failed; empty: all are intact
     };
-    double cell_size = 0.0;
-    Index<D> cells{};
+    double cell_size = 0.0;  // Δx, m
+    Index<D> cells{};        // of the box
     Parameters<D> parameters;
-    std::vector<Body> bodies;  // of water and ice; those without points are left out
+    std::vector<Body> bodies;  // of particles; those without points are left out
     std::vector<RigidStart<D>> rigid;
 };
 
-// Time 0, s.dt = 0, velocities as given. Water of the scheme `density` is compressed by its weight: its
-// points move by up to 1/8 of the compression at its bottom (1 % at c0 = 10 √(gD)) times its depth within
-// their column, from its bottom at z = 0 or the bed to the surface, and its mass is that of columns so filled
-// (mpm/materials/water.h). Throws NumericsError if a point lies outside of the box.
+// Makes a simulation at time 0 with s.dt = 0 and the given velocities on the nodes. Water starts hydrostatic.
+//
+// Water of the scheme `density` is compressed by its weight (mpm/materials/water.h): points move down within
+// their column, which stands on z = 0 or the bed and ends at the surface, and the body's mass becomes that of
+// columns so filled. Points move by at most 1/8 of the compression at the bottom (1 % at c0 = 10 √(gD)) times
+// the depth.
+//
+// Throws a NumericsError if a point lies outside of the box or a velocity is not a number.
 template <int D, class Real>
 Simulation<D, Real> make_simulation(Start<D> start);
 

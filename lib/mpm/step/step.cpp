@@ -16,7 +16,7 @@
 namespace tidewater::mpm {
 namespace {
 
-// Adds the time since the last call to a phase.
+// Charges the wall time since the last call to a phase.
 class PhaseClock {
 public:
     explicit PhaseClock(PhaseSeconds& seconds) : seconds_(seconds) {}
@@ -32,7 +32,8 @@ private:
     Clock::time_point last_ = Clock::now();
 };
 
-// Books what the boundaries did, block by block in order; returns max. |v| of the nodes, m/s.
+// Books what the boundaries did, block by block in order, and returns max. |v| of the nodes, m/s. Throws
+// NumericsError if a velocity is not finite.
 template <int D, class Real>
 double book_boundaries(const Interval& interval, const Simulation<D, Real>& s,
                        const std::vector<NodeResult<D>>& results, const Slots& slots, Accounts<D>& accounts) {
@@ -47,6 +48,7 @@ double book_boundaries(const Interval& interval, const Simulation<D, Real>& s,
     return std::sqrt(max2);
 }
 
+// Adds gravity's impulse (kg m/s) on particles and rigid bodies over next_dt (s).
 template <int D, class Real>
 void book_gravity(const Simulation<D, Real>& s, double next_dt, double& gravity_impulse) {
     for (const auto& particles : s.bodies) {
@@ -69,17 +71,18 @@ void advance(Simulation<D, Real>& s, double next_dt) {
                    s.skimming, s.accounts.outflow);
     clock.charge(Phase::sort);
 
-    const StepBlocks blocks = all_blocks(s.grid);  // several rates: the blocks that are due
+    // With several rates, only the blocks that are due would be listed here.
+    const StepBlocks blocks = all_blocks(s.grid);
     const Findings findings = pass_over_blocks(interval, s.parameters, blocks.particles, s.rigid,
                                                s.unknown_fill, s.grid, s.bodies, wall_impulse);
     s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings);
     if (!interval.settling) {
-        for (RigidBody& body : s.rigid) move_rigid_body(interval.dt, body);  // the pass knew where they were
+        for (RigidBody& body : s.rigid) move_rigid_body(interval.dt, body);  // the pass reads the old place
     }
     clock.charge(Phase::pass);
 
-    // Several machines: here tiles of the neighbours' particles arrive, in the places that the grid has for
-    // them.
+    // With several machines, the tiles of the neighbours' particles would arrive here, in the places that the
+    // grid has for them.
 
     const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
     const auto acting =
@@ -90,8 +93,8 @@ void advance(Simulation<D, Real>& s, double next_dt) {
                      [&](std::size_t n) { results[n] = bound_velocities(by, blocks.nodes[n], s.grid); });
     };
     ContactStep contact{
-        .dt = next_dt, .falling = next_dt, .gravity = s.parameters.gravity, .held = interval.settling};
-    if (s.rigid.empty()) {  // both stages of a block while it is in the cache
+        .dt = next_dt, .gravity_dt = next_dt, .gravity = s.parameters.gravity, .held = interval.settling};
+    if (s.rigid.empty()) {  // both stages run on a block while it is in the cache
         parallel_for(blocks.nodes.size(), [&](std::size_t n) {
             sum_momenta(kick, blocks.nodes[n], s.grid);
             results[n] = bound_velocities(acting, blocks.nodes[n], s.grid);
@@ -107,7 +110,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
 
     if (s.parameters.transfer == Transfer::restored) {
         restore_velocities(s.bodies, s.grid, wall_impulse);
-        contact.falling = 0.0;
+        contact.gravity_dt = 0.0;  // the bodies have it already
         resolve_contacts(contact, boundaries, s.grid, s.rigid, wall_impulse);
         bound_all(acting_boundaries(s.grid.layout, boundaries, boundary_step(boundaries, interval, 0.0)));
         s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);

@@ -1,17 +1,21 @@
-// The step that advances a simulation; mpm/step/step.cpp reads as the list of its stages.
+// The step that advances a simulation. mpm/step/step.cpp reads as the list of its stages:
 //
-//     sort        only when a particle might leave its block's margin; before it outlets and sponges take
-//     water pass        nodes → particles (G2P), strain and position advance by dt, then particles → tiles
-//     (P2G) with
-//                 the forces of the coming step: all while a batch of particles is in the cache
-//     nodes       tiles → nodes, momentum → velocity, gravity
-//     contacts    rigid bodies against their nodes, walls and each other
-//     boundaries  what holds, moves or damps nodes
-//     restore     only where it is asked for: what the transfer will lose is given back
-//     accounts    impulses and speeds
+//     sort        particles into blocks, only when one might leave its block's margin; before that, outlets
+//                 and sponges drain water (mpm/step/sort.h)
+//     pass        nodes → particles (G2P), strain and position advance by dt, particles → tiles (P2G)
+//                 with the forces of the coming step, all while a batch is in the cache (mpm/step/pass.h);
+//                 then rigid bodies move by dt
+//     nodes       tiles → nodes, momentum → velocity, gravity (mpm/step/nodes.h)
+//     contacts    rigid bodies with their nodes, walls and each other (mpm/step/contact.h)
+//     boundaries  hold, move or damp nodes (mpm/step/nodes.h, mpm/boundaries/boundaries.h)
+//     restore     gives back what the coming transfer will lose, then contacts and boundaries once more; only
+//                 where Transfer::restored is chosen (mpm/step/restore.h)
+//     accounts    impulses and speeds (mpm/step/nodes.h for those of mirrors)
 //
 // Each stage is a parallel loop over blocks that write only their own data, and sums over blocks are taken in
 // block order: any number of threads gives the same bits.
+//
+// Tests: tests/unit/mpm/step/step_test.cpp, tests/unit/mpm/twin_test.cpp, tests/unit/mpm/invariance_test.cpp.
 #pragma once
 
 #include "mpm/state/simulation.h"
@@ -19,11 +23,12 @@
 
 namespace tidewater::mpm {
 
-// Advances by s.dt and gives the velocities the forces of a step of next_dt, which becomes s.dt. Forces may
-// make something faster within a step than stable_time_step knew: only what would carry a particle beyond
-// sorting_margin or turn its volume inside out is refused (max_motion in mpm/particles/motion.h). Throws
-// NumericsError naming step, phase and particle when a value is not finite, a volume collapses (J ≤ 0), a
-// particle leaves the box or moves half a cell in one step, its affine motion counted.
+// Advances particles and bodies by s.dt, gives the velocities the forces of a step of next_dt (s), and sets
+// s.dt to next_dt. Forces may make something faster within a step than stable_time_step could know. That is
+// refused only where it would carry a particle beyond sorting_margin or turn its volume inside out
+// (max_motion in mpm/particles/motion.h). Throws NumericsError, which names step, phase and particle, if a
+// value is not finite, if a volume collapses (J ≤ 0), if a particle leaves the box, or if one moves by half a
+// cell in a step, its affine motion included.
 template <int D, class Real>
 void advance(Simulation<D, Real>& simulation, double next_dt);
 

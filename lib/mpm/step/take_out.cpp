@@ -10,7 +10,7 @@
 namespace tidewater::mpm {
 namespace {
 
-// The particles `gone` are of block `slot`.
+// Adds the particles `gone`, all of block `slot`, to the outflow.
 template <int D, class Real>
 void account(const Parameters<D>& parameters, const Grid<D, Real>& grid, const Particles<D, Real>& particles,
              std::size_t slot, std::span<const std::size_t> gone, Outflow<D>& outflow) {
@@ -25,7 +25,7 @@ void account(const Parameters<D>& parameters, const Grid<D, Real>& grid, const P
     }
 }
 
-// Keeps the rest of every column; `gone` is rising.
+// Removes the particles `gone` (ascending) from every column.
 template <int D, class Real>
 void remove_particles(const std::vector<std::size_t>& gone, Particles<D, Real>& particles) {
     const std::size_t count = particles.size();

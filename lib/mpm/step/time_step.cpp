@@ -11,20 +11,20 @@ namespace tidewater::mpm {
 template <int D, class Real>
 double max_sound_speed(const Parameters<D>& parameters, const std::vector<Particles<D, Real>>& bodies,
                        const Findings& findings) {
-    double fastest = 0.0;
+    double max_sound = 0.0;
     for (const auto& particles : bodies) {
         with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
-            fastest = std::max(fastest, M::sound_speed(M::model(parameters), findings));
+            max_sound = std::max(max_sound, M::sound_speed(M::model(parameters), findings));
         });
     }
-    return fastest;
+    return max_sound;
 }
 
 template <int D, class Real>
 double stable_time_step(const Simulation<D, Real>& s) {
     const double dx = s.grid.layout.cell_size, v = s.speeds.particle;
     const double g = s.parameters.gravity;
-    // The root of v Δt + g Δt² = reach, without cancellation; reach leaves room within the sorting margin.
+    // The root of v Δt + g Δt² = reach, without cancellation; reach lies well within the sorting margin.
     const double reach = 0.4 * dx;
     const double falling = 2.0 * reach / (v + std::sqrt(v * v + 4.0 * g * reach));
     return std::min(s.parameters.cfl * dx / (s.speeds.sound + v), falling);

@@ -46,7 +46,7 @@ TEST_CASE("a sponge's columns are as wide as the water is deep and fill it") {
     CHECK(columns.counts == std::array{4, 2});
     CHECK(columns.total() == 8);
     CHECK(columns.area() == doctest::Approx(0.25));
-    CHECK(columns.at({1.99, 0.1, 0.0}) == -1);
+    CHECK(!columns.at({1.99, 0.1, 0.0}));
     CHECK(columns.at({2.0, 0.0, 0.0}) == 0);
     CHECK(columns.at({2.6, 0.6, 0.9}) == 3);
     CHECK(columns.at({4.01, 1.01, 0.2}) == 7);  // beyond the walls by less than a cell
