@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -16,6 +17,7 @@ using Matrix = Eigen::Matrix<Real, D, D>;
 
 // The number is what snapshots store per particle.
 enum class Material : std::uint8_t { water = 0, ice = 1, rigid = 2 };
+inline constexpr std::array all_materials{Material::water, Material::ice, Material::rigid};
 
 std::string_view material_name(Material material);
 

@@ -96,7 +96,7 @@ bool is_body(const openvdb::FloatGrid& level_set) {
 
 Material body_material(const openvdb::FloatGrid& level_set) {
     const std::string name = metadata<openvdb::StringMetadata>(level_set, material_key);
-    for (const Material material : {Material::water, Material::ice, Material::rigid}) {
+    for (const Material material : all_materials) {
         if (name == material_name(material)) return material;
     }
     throw InputError("level set '" + level_set.getName() + "' has the unknown material '" + name +

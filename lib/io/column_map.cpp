@@ -70,7 +70,7 @@ ArrayPart parse_part(std::string_view text, std::string_view column) {
 }  // namespace
 
 std::optional<Material> material_named(std::string_view name) {
-    for (const Material material : {Material::water, Material::ice, Material::rigid}) {
+    for (const Material material : all_materials) {
         if (material_name(material) == name) return material;
     }
     return {};
