@@ -215,7 +215,7 @@ double Hdf5Reader::number(const std::string& object, const std::string& name) co
     double value = 0.0;
     const H5T_class_t kind = attribute_class(found);
     if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Aread(found.id(), H5T_NATIVE_DOUBLE, &value) < 0)
-        fail("attribute " + name + " is no number");
+        fail("attribute " + name + " is not a number");
     return value;
 }
 

@@ -37,7 +37,7 @@ void append_row(Table& table, std::string_view line, const std::string& place) {
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const auto value = parse_number(cells[c]);
-        if (!value) throw InputError(place + ": \"" + std::string(cells[c]) + "\" is no number" + remedy);
+        if (!value) throw InputError(place + ": \"" + std::string(cells[c]) + "\" is not a number" + remedy);
         table.values[c].push_back(*value);
     }
 }

@@ -65,7 +65,7 @@ struct Table {
 
 // Reads a table of numbers. Of a file that still grows, whose name ends with .part, a last line without an
 // end does not count yet. Throws InputError if the file is missing, of a newer format version or has no line
-// of column names, or with "file:line" if a row has too few or too many values or one that is no number.
+// of column names, or with "file:line" if a row has too few or too many values or one that is not a number.
 Table read_table(const std::filesystem::path& path);
 
 // The column of a table that was read from `path`. Throws InputError if there is none.

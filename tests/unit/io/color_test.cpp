@@ -74,7 +74,7 @@ TEST_CASE("the scale gets lighter all along, in steps that look equal") {
     CHECK(greatest < 1.25 * least);
 }
 
-TEST_CASE("the scale is clamped, and what is no number is its lower end") {
+TEST_CASE("the scale is clamped, and what is not a number is its lower end") {
     CHECK(scale_color(-1.0) == scale_color(0.0));
     CHECK(scale_color(7.0) == scale_color(1.0));
     CHECK(scale_color(std::nan("")) == scale_color(0.0));

@@ -110,7 +110,7 @@ TEST_CASE("optional columns are in the file if the snapshot has them, gaps inclu
     CHECK(std::isnan(time->GetComponent(5, 0)));
 }
 
-TEST_CASE("optional columns of the wrong length or with what is no number are refused") {
+TEST_CASE("optional columns of the wrong length or with what is not a number are refused") {
     const TemporaryFolder folder;
     Snapshot snapshot = test_snapshot_of_ice(8);
     snapshot.damage.pop_back();
@@ -188,7 +188,7 @@ TEST_CASE("attributes of another shape or kind give an error instead of being re
     CHECK(input_error([&] { file.number("/", "many"); }).find(many) != std::string::npos);
     CHECK(input_error([&] { file.integer("/", "many"); }).find(many) != std::string::npos);
     CHECK(input_error([&] { file.text("/", "many"); }).find(many) != std::string::npos);
-    CHECK(input_error([&] { file.number("/", "text"); }).find("is no number") != std::string::npos);
+    CHECK(input_error([&] { file.number("/", "text"); }).find("is not a number") != std::string::npos);
     CHECK(input_error([&] { file.integer("/", "real"); }).find("is no integer") != std::string::npos);
     CHECK(input_error([&] { file.text("/", "real"); }).find("is no fixed-size text") != std::string::npos);
 }

@@ -114,8 +114,8 @@ TEST_CASE("a bad row gives one line with the file, the line and the problem") {
     const std::string remedy = "; run the stage that writes it";
     CHECK(line("# c\ntime,x\n1,2\n3\n") == path.string() + ":4: 1 values where there are 2 columns" + remedy);
     CHECK(line("time,x\n1,2,3\n") == path.string() + ":2: 3 values where there are 2 columns" + remedy);
-    CHECK(line("time,x\n1,wet\n") == path.string() + ":2: \"wet\" is no number" + remedy);
-    CHECK(line("time,x\n1,\n") == path.string() + ":2: \"\" is no number" + remedy);
+    CHECK(line("time,x\n1,wet\n") == path.string() + ":2: \"wet\" is not a number" + remedy);
+    CHECK(line("time,x\n1,\n") == path.string() + ":2: \"\" is not a number" + remedy);
     CHECK(line("# only comments\n") == path.string() + ": there is no line of column names" + remedy);
     std::filesystem::remove(path);
     CHECK(input_error([&] { read_table(path); }) == path.string() + ": the file does not exist" + remedy);
