@@ -11,8 +11,8 @@
 //     hides_fill(layout)                 whether it leaves the fill of any node unknown (mpm/step/crowding.h)
 //     hides_fill_at(layout, time, node)  whether it leaves the fill of this node unknown
 //
-// Calls are resolved by type; none is virtual. A boundary that drains water acts on particles rather than on
-// nodes, and does so when particles are sorted (mpm/step/drain.h, mpm/step/skim.h).
+// Calls are resolved by type; none is virtual. What drains water, outlet and sponge, acts on
+// particles when these are sorted (mpm/step/drain.h, mpm/step/skim.h).
 //
 // Tests: tests/unit/mpm/boundaries/boundaries_test.cpp, tests/unit/mpm/flume_test.cpp.
 #pragma once

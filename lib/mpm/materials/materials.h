@@ -1,6 +1,6 @@
 // The table of materials: each material of particles that the engine advances is listed once.
 //
-// A new material is a header of its own with an entry like WaterMaterial or IceMaterial, and a word in
+// A new material is a header of its own with an entry like WaterMaterial or IceMaterial, and its type in
 // `Materials` below. An entry M provides
 //
 //     M::material                            the number that snapshots store (core/types.h)
@@ -9,7 +9,8 @@
 //     M::sound_speed(model, findings)        max. speed of its waves, m/s
 //     M::stored_energy(model, particles, p)  elastic energy of one particle, J
 //     M::complaint(particles, p, may_fail)   what makes a state unusable
-//     M::Step(model, gravity, cell size, interval)  the constants of one step
+//     M::Step(model, gravity, cell size, interval)  the constants of one step, with reads_crowding(): whether the
+//                                                   kernel reads the crowding lane
 //     M::Kernel{particles, step}             update(first, count, batch) of the pass, and its findings()
 //
 // Dispatch is static: with_material picks the entry once per block of particles, and no kernel branches on

@@ -112,7 +112,8 @@ void advance(Simulation<D, Real>& s, double next_dt) {
         restore_velocities(s.bodies, s.grid, wall_impulse);
         contact.gravity_dt = 0.0;  // the bodies have it already
         resolve_contacts(contact, boundaries, s.grid, s.rigid, wall_impulse);
-        bound_all(acting_boundaries(s.grid.layout, boundaries, boundary_step(boundaries, interval, 0.0)));
+        bound_all(acting_boundaries(s.grid.layout, boundaries,
+                                    boundary_step(boundaries, interval, 0.0)));  // the sponge has damped
         s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
     }
 
