@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 #include <type_traits>
@@ -108,13 +107,6 @@ void convert(const PointSource& source, const std::vector<Component>& components
     fill(components, source.count(), values);
 }
 
-// Six digits, for people.
-std::string short_number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", value);
-    return text.data();
-}
-
 // What is in the place of a column that the file has not and the map does not name.
 struct Substitute {
     Component component;
@@ -128,7 +120,7 @@ std::optional<Substitute> substitute(const ParticleImport& import, const std::st
         return Substitute{{.shift = std::numeric_limits<double>::quiet_NaN()}, start + "left out" + end};
     if (column == "volume" && import.volume > 0.0) {
         return Substitute{{.shift = import.volume},
-                          start + short_number(import.volume) + (import.dimension == 2 ? " m²" : " m³") +
+                          start + format_digits(import.volume, 6) + (import.dimension == 2 ? " m²" : " m³") +
                               " for every particle, from the scene's cell_size and per_axis" + end};
     }
     if (column == "material" && import.material) {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "io/text.h"
 
 namespace tidewater::io {
 namespace {
@@ -177,12 +178,7 @@ double find(const Named<double>& values, const std::string& name) {
     return found == values.end() ? RunFacts::unknown : found->second;
 }
 
-// Three digits: "0.00123", "1.2e+06".
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
+std::string short_number(double value) { return format_digits(value, 3); }
 
 // Of parts of a whole "sort 3 %, pass 96 %", in their order; parts of less than half a percent are left out.
 template <class T>

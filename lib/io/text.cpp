@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace tidewater::io {
 
@@ -20,6 +21,12 @@ std::string format_fixed(double value, int decimals) {
     std::string fixed(text.data(), result.ptr);
     if (fixed.find_first_not_of("-0.") == std::string::npos && fixed.front() == '-') fixed.erase(0, 1);
     return fixed;
+}
+
+std::string format_digits(double value, int digits) {
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    return text.data();
 }
 
 std::optional<double> parse_number(std::string_view text) {

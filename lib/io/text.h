@@ -14,6 +14,10 @@ std::string format_number(double value);
 // With a fixed number of decimals: format_fixed(2.5, 2) is "2.50"; never "-0.00".
 std::string format_fixed(double value, int decimals);
 
+// With so many significant digits, for people: format_digits(0.0012345, 3) is "0.00123", of 1234567
+// "1.23e+06".
+std::string format_digits(double value, int digits);
+
 // The whole text as a number, blanks around it allowed; nothing if it is not one.
 std::optional<double> parse_number(std::string_view text);
 

@@ -100,7 +100,8 @@ std::pair<std::string, double> split_place(const std::string& name) {
 double bound(const std::string& text, const std::string& word, double open) {
     if (word == "-") return open;
     const auto number = io::parse_number(word);
-    if (!number || std::isnan(*number)) refuse(text, "\"" + word + "\" is not a number; - stands for no bound");
+    if (!number || std::isnan(*number))
+        refuse(text, "\"" + word + "\" is not a number; - stands for no bound");
     return *number;
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "analysis/beam.h"
 #include "analysis/wave.h"
@@ -102,9 +101,7 @@ bool is_told(const std::vector<io::KeyNumber>& numbers, const Quantity& quantity
 std::string short_number(double value) {
     if (std::isnan(value)) return "-";
     if (std::abs(value) >= 1000.0 && std::abs(value) < 1e6) return io::format_fixed(value, 0);
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
+    return io::format_digits(value, 3);
 }
 
 std::vector<io::KeyNumber> report_numbers(const StageContext& context) {

@@ -49,7 +49,8 @@ io::RunFacts::Engine engine_facts(const StageContext& context, const mpm::Simula
                                 .grid_blocks = static_cast<std::int64_t>(s.grid.particle_blocks.size()),
                                 .rigid_bodies = static_cast<std::int64_t>(s.rigid.size())};
     for (const double size : domain.size) engine.cells.push_back(std::lround(size / domain.cell_size));
-    for (const Material material : {Material::water, Material::ice}) {
+    for (const Material material : all_materials) {
+        if (material == Material::rigid) continue;  // bodies without particles
         std::int64_t count = 0;
         for (const auto& particles : s.bodies) {
             if (particles.material == material) count += static_cast<std::int64_t>(particles.size());

@@ -271,8 +271,8 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     if (bodies_) bodies_->append(s);
 
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
-    const double energy =
-        ledger.kinetic + ledger.gravitational + ledger.elastic + s.accounts.outflow.energy - s.accounts.boundary_work;
+    const double energy = ledger.kinetic + ledger.gravitational + ledger.elastic + s.accounts.outflow.energy -
+                          s.accounts.boundary_work;
     if (first_row_) start_energy_ = highest_energy_ = energy;
     highest_energy_ = std::max(highest_energy_, energy);
 

@@ -47,3 +47,10 @@ TEST_CASE("a file of a frame is named by its number") {
     CHECK(numbered_name("a_b", 123, "csv") == "a_b_0123.csv");
     CHECK(numbered_name("frame", 10000, "hdf") == "frame_10000.hdf");
 }
+
+TEST_CASE("significant digits are those asked for") {
+    CHECK(format_digits(0.0012345, 3) == "0.00123");
+    CHECK(format_digits(1234567.0, 3) == "1.23e+06");
+    CHECK(format_digits(1234567.0, 6) == "1.23457e+06");
+    CHECK(format_digits(-2.0, 3) == "-2");
+}
