@@ -29,8 +29,8 @@ struct Snapshot {
     std::vector<std::uint8_t> material;  // the numbers of core's Material
     std::vector<std::uint32_t> id;       // the particle's number; the same in every frame
 
-    std::vector<float> principal_stress;  // Pa, tension positive (mpm/readings/principal_stress.h); NaN: no ice.
-                                          // Empty in runs without ice
+    std::vector<float> principal_stress;  // Pa, tension positive (mpm/readings/principal_stress.h); NaN: no
+                                          // ice. Empty in runs without ice
 
     // Of runs with ice that fractures; else empty.
     std::vector<float> damage;        // share of the strength lost, 1 - p0(α)/p0(α0); 0 for water and rigid

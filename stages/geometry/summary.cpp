@@ -73,7 +73,7 @@ std::string front_lines(const scene::Scene& scene, const Glacier& ice) {
 }
 
 double particles_of(const scene::Scene& scene, double volume) {
-    const double spacing = scene.domain.cell_size / scene.particles.per_axis;
+    const double spacing = particle_spacing(scene);
     return volume / std::pow(spacing, scene.dimension);
 }
 

@@ -29,14 +29,13 @@ std::array<double, 3> origin_of(const ParticleOptions& options) {
 io::ParticleImport make_import(const StageContext& context) {
     const scene::Scene& scene = context.scene;
     const ParticleOptions& options = context.particles;
-    io::ParticleImport import{
-        .dimension = scene.dimension,
-        .map = {},
-        .materials = {},
-        .y_up = options.up == "y",
-        .origin = origin_of(options),
-        .material = only_material(scene),
-        .volume = std::pow(scene.domain.cell_size / scene.particles.per_axis, scene.dimension)};
+    io::ParticleImport import{.dimension = scene.dimension,
+                              .map = {},
+                              .materials = {},
+                              .y_up = options.up == "y",
+                              .origin = origin_of(options),
+                              .material = only_material(scene),
+                              .volume = std::pow(particle_spacing(scene), scene.dimension)};
     if (!options.map.empty()) import.map = io::parse_column_map(options.map);
     if (!options.materials.empty()) import.materials = io::parse_material_numbers(options.materials);
     return import;

@@ -60,7 +60,7 @@ io::PictureSettings picture_settings(const scene::Scene& scene, const Ground& gr
     io::PictureSettings settings{.dimension = scene.dimension,
                                  .low = {},
                                  .high = make_tank(scene).size,
-                                 .particle_spacing = scene.domain.cell_size / scene.particles.per_axis,
+                                 .particle_spacing = scene::particle_spacing(scene),
                                  .still_level = scene.water.depth,
                                  .greatest_speed = greatest_speed,
                                  .title = scene.title,

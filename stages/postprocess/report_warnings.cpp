@@ -83,10 +83,9 @@ void check_ledger(const StageContext& context, Warnings& warnings) {
 void check_end(const StageContext& context, const Frames& frames, const std::optional<io::RunFacts>& run,
                Warnings& warnings) {
     if (!run) return;
-    if (run->state == "failed") warnings.push_back("The run failed: " + run->reason + ".");
+    if (run->state == "failed") return warnings.push_back("The run failed: " + run->reason + ".");
     const double end = context.scene.simulate.end_time, interval = context.scene.simulate.snapshot_interval;
-    if (run->state == "failed" || frames.times.empty()) return;
-    if (frames.times.back() >= end - 1.5 * interval) return;
+    if (frames.times.empty() || frames.times.back() >= end - 1.5 * interval) return;
     warnings.push_back("The run is going on or was stopped: its last frame is of t = " +
                        short_number(frames.times.back()) + " s of " + short_number(end) + " s.");
 }

@@ -67,7 +67,7 @@ FrameProduct body_surfaces_product(const StageContext& context, const FrameProdu
             .files = file_of(scene.postprocess.surfaces && (followed || scene.has("rigid")),
                              &io::body_surfaces_name),
             .make =
-                [folder = context.folder, spacing = scene.domain.cell_size / scene.particles.per_axis](
+                [folder = context.folder, spacing = particle_spacing(scene)](
                     std::size_t frame, const io::Snapshot& snapshot, const Provenance& provenance) {
                     const auto bodies = bodies_of(icebergs_of(folder, frame, snapshot), snapshot);
                     io::write_body_surfaces(folder / io::body_surfaces_name(frame),

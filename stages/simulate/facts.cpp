@@ -176,8 +176,10 @@ io::RunFacts Facts<D, Real>::now(const std::string& state, const std::string& re
 }
 
 template <int D, class Real>
-void Facts<D, Real>::write(const std::string& state, const std::string& reason) const {
-    io::write_run_facts(context_.folder / "run.json", now(state, reason));
+io::RunFacts Facts<D, Real>::write(const std::string& state, const std::string& reason) const {
+    io::RunFacts facts = now(state, reason);
+    io::write_run_facts(context_.folder / "run.json", facts);
+    return facts;
 }
 
 template class Facts<2, float>;

@@ -28,13 +28,12 @@ public:
     // What a checkpoint needs: the tally and the wall time spent so far.
     void store(RunState& run) const;
 
-    io::RunFacts now(const std::string& state, const std::string& reason = {}) const;
-
-    // Replaces run.json. Throws OutputError.
-    void write(const std::string& state, const std::string& reason = {}) const;
+    // Replaces run.json and returns what it tells. Throws OutputError.
+    io::RunFacts write(const std::string& state, const std::string& reason = {}) const;
 
 private:
     double total_seconds() const;
+    io::RunFacts now(const std::string& state, const std::string& reason) const;
 
     const StageContext& context_;
     const mpm::Simulation<D, Real>& s_;

@@ -44,8 +44,7 @@ void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Ch
                              context.folder, context.provenance);
     if (earlier.begun()) records.resume(earlier);
     Facts<D, Real> facts(context, s, records, earlier, started);
-    log.line(io::particles_text(facts.now("running")));
-    facts.write("running");
+    log.line(io::particles_text(facts.write("running")));
     Run<D, Real> run(context, s, checkpoint, records, facts, log, earlier);
     try {
         if (!run.to_end()) {
@@ -55,8 +54,7 @@ void run_simulation(const StageContext& context, mpm::Simulation<D, Real>& s, Ch
             facts.write("stopped", line);
             return log.finish();
         }
-        log_summary(facts.now("complete"), log);
-        facts.write("complete");
+        log_summary(facts.write("complete"), log);
         log.finish();
         records.finish();
         checkpoint.remove();

@@ -34,7 +34,7 @@ struct Tally {
     std::vector<double> phase_seconds = std::vector<double>(mpm::phase_names.size());     // likewise
     std::int64_t peak_memory_bytes = 0;                                                   // 0: unknown
     std::int64_t checkpoint_bytes = 0;                                                    // of the last one
-    std::vector<double> first_ledger_row, last_ledger_row;  // empty: none yet
+    std::vector<double> first_ledger_row, last_ledger_row;                                // empty: none yet
     std::string warnings;  // each ends with a line's end
 
     void add_step(TimeStepLimit limit, double dt, std::size_t particles) {

@@ -102,7 +102,8 @@ run sed 's|</[a-z0-9]*>|\n|g; s|<[^>]*>||g' run/postprocess/report.html
 expect_line "complete; began "
 expect_line "$(fact water) of water"
 expect_line "$(fact steps) steps in "
-expect_line "sound in water "
+share=$(awk "BEGIN { printf \"%.0f\", 100 * $(fact sound_in_water) / $(fact steps) }")
+expect_line "sound in water $share %"
 expect_line "energy $(sed -n '/"first": {/,/}/s/^ *"energy": \([0-9]*\).*/\1/p' run/simulate/run.json)"
 
 case_named "a run.json that is damaged or of another program ends postprocess with a line, and its results stay"

@@ -1,5 +1,5 @@
-// Ice of the dense twin: lib/mpm/README.md, Ice, written down once more, one particle at a time, with b itself
-// and the standard library's functions. Choices as documented in mpm/materials/ice.h; no code of
+// Ice of the dense twin: lib/mpm/README.md, Ice, written down once more, one particle at a time, with b
+// itself and the standard library's functions. Choices as documented in mpm/materials/ice.h; no code of
 // mpm/materials/ice.cpp.
 #pragma once
 

@@ -57,12 +57,11 @@ struct Bed {
 
         template <class Real>
         void act(const Index<D>& node, Node<Real>& velocity, WallAction<D>&) const {
-            std::size_t column = 0;
-            for (std::size_t axis = 0; axis < across; ++axis) {
-                column = column * static_cast<std::size_t>(Block<D>::width) +
-                         static_cast<std::size_t>(node[axis] - layout.first_node(block[axis]));
-            }
-            const Ground& ground = columns[column];
+            Index<across> column;
+            for (std::size_t axis = 0; axis < across; ++axis)
+                column[axis] = node[axis] - layout.first_node(block[axis]);
+            const Ground& ground =
+                columns[static_cast<std::size_t>(place_of<across>(column, Block<D>::width))];
             if (!(layout.cell_size * node[D - 1] < ground.top)) return;
             if (rule == WallRule::stick) {
                 velocity.template head<D>().setZero();

@@ -55,7 +55,7 @@ struct Push {
     }
     template <int D>
     bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const {
-        return exists() && node[0] <= position(time) / layout.cell_size + 2.0;
+        return exists() && behind(node[0], position(time), 2.0, layout.cell_size);
     }
 };
 

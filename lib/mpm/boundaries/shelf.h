@@ -56,8 +56,8 @@ struct Shelf {
     }
     template <int D>
     bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const {
-        const auto cells = [&](double x) { return x / layout.cell_size + 1.0; };
-        return exists() && node[0] <= cells(end_at(time)) && node[D - 1] <= cells(top);
+        const double dx = layout.cell_size;
+        return exists() && behind(node[0], end_at(time), 1.0, dx) && behind(node[D - 1], top, 1.0, dx);
     }
 };
 

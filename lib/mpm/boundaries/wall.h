@@ -79,6 +79,11 @@ Vector<D, double> change_nodes(const Layout<D>& layout, const Index<D>& block, N
     return impulse;
 }
 
+// Whether a node lies behind x (m) along an axis, or at most `reach` cells beyond it.
+inline bool behind(int node, double x, double reach, double cell_size) {
+    return node <= x / cell_size + reach;
+}
+
 // The last node along an axis at or before x (m), with a margin for rounding.
 inline int node_at_or_before(double x, double cell_size) {
     return static_cast<int>(std::floor(x / cell_size + 1e-6));

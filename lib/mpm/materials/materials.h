@@ -9,8 +9,8 @@
 //     M::sound_speed(model, findings)        max. speed of its waves, m/s
 //     M::stored_energy(model, particles, p)  elastic energy of one particle, J
 //     M::complaint(particles, p, may_fail)   what makes a state unusable
-//     M::Step(model, gravity, cell size, interval)  the constants of one step, with reads_crowding(): whether the
-//                                                   kernel reads the crowding lane
+//     M::Step(model, gravity, cell size, interval)  the constants of one step
+//         reads_crowding()                       whether the kernel reads the crowding lane
 //     M::Kernel{particles, step}             update(first, count, batch) of the pass, and its findings()
 //
 // Dispatch is static: with_material picks the entry once per block of particles, and no kernel branches on
