@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/effects/effects.h"
+#include "scene/ground_keys.h"
 #include "scene/reading.h"
 #include "scene/text.h"
 
@@ -181,6 +182,23 @@ std::string picture_warning(const Scene& scene) {
            "; the last snapshot is drawn instead";
 }
 
+// Each wall of the tank that holds the water.
+std::vector<std::string> held_by_walls(const Scene& scene) {
+    const Scene::Domain& domain = scene.domain;
+    std::vector<std::pair<std::string_view, mpm::WallRule>> walls{
+        {"left", domain.wall_left}, {"right", domain.wall_right}, {"bottom", domain.wall_bottom}};
+    if (scene.dimension == 3) {
+        walls.emplace_back("front", domain.wall_front);
+        walls.emplace_back("back", domain.wall_back);
+    }
+    std::vector<std::string> lines;
+    for (const auto& [name, rule] : walls) {
+        if (rule == mpm::WallRule::stick)
+            lines.push_back(held_layer(scene, "domain.wall_" + std::string(name) + " = \"stick\""));
+    }
+    return lines;
+}
+
 }  // namespace
 
 void derive_scene(Reading& reading) {
@@ -205,7 +223,7 @@ void check_scene(Reading& reading) {
 }
 
 std::vector<std::string> scene_warnings(const Scene& scene) {
-    std::vector<std::string> all;
+    std::vector<std::string> all = held_by_walls(scene);
     for (const Effect* effect : effects_of(scene)) {
         if (effect->warnings == nullptr) continue;
         for (std::string& warning : effect->warnings(scene)) all.push_back(std::move(warning));

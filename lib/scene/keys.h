@@ -21,8 +21,9 @@ struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
     bool open = false;
+    bool infinite = false;  // inf is allowed too
 
-    // False for NaN and infinities too.
+    // False for NaN, and for infinities unless `infinite` allows inf.
     bool contains(double number) const;
     // "above 0 m", "from 0 to 1"; empty if every number is allowed.
     std::string text(std::string_view unit) const;
@@ -52,7 +53,8 @@ struct Key {
     bool only_3d = false;
     unsigned stages = by_all;  // those that read it
     bool changes_results = true;
-    bool file = false;  // it names a file that the stages read, and what that holds counts too
+    bool retired = false;  // still read, for scenes of old, but neither listed nor printed
+    bool file = false;     // it names a file that the stages read, and what that holds counts too
     std::string_view help;
 
     // "domain"; empty for title, dimension, ...

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -71,12 +72,33 @@ bool convert(const Value& value, Enum& to) {
     return true;
 }
 
+// An enum that may be unset; an empty text unsets it.
+template <class Enum>
+bool convert(const Value& value, std::optional<Enum>& to) {
+    Enum named{};
+    const auto* name = std::get_if<std::string>(&value);
+    if (name != nullptr && name->empty()) {
+        to.reset();
+        return true;
+    }
+    if (!convert(value, named)) return false;
+    to = named;
+    return true;
+}
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
 template <class T>
 Value to_value(const T& member) {
     if constexpr (std::is_enum_v<T>)
         return std::string(enum_names<T>[static_cast<std::size_t>(member)]);
     else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
         return static_cast<std::int64_t>(member);
+    else if constexpr (is_optional<T>)
+        return member ? to_value(*member) : Value(std::string());
     else
         return member;
 }
@@ -92,6 +114,7 @@ constexpr Member member_at() {
         .set = [](Scene& scene, std::size_t item,
                   const Value& value) { return convert(value, Place::of(scene, item)); }};
     if constexpr (std::is_enum_v<T>) member.names = enum_names<T>;
+    if constexpr (is_optional<T>) member.names = enum_names<typename T::value_type>;
     return member;
 }
 

@@ -55,7 +55,7 @@ std::string section_text(std::span<const Key> section, const Scene& scene, std::
     constexpr std::size_t comment_column = 40;
     std::string text;
     for (const Key& key : section) {
-        if (!key.applies(scene)) continue;
+        if (!key.applies(scene) || key.retired) continue;
         std::string line = std::string(key.last_name()) + " = " + value_text(key, scene, item);
         line.resize(std::max(line.size(), comment_column), ' ');
         text += line + "  # " + comment(key) + "\n";
@@ -67,7 +67,7 @@ std::string section_text(std::span<const Key> section, const Scene& scene, std::
 std::string plain_text(const Scene& scene, unsigned stages) {
     std::string text;
     for (const Key& key : all_keys()) {
-        if ((key.stages & stages) != 0 && key.changes_results && key.applies(scene))
+        if ((key.stages & stages) != 0 && key.changes_results && !key.retired && key.applies(scene))
             text += plain_lines(key, scene);
     }
     return text;
@@ -113,7 +113,7 @@ std::string values_of(const Scene& scene, std::span<const std::string_view> name
         for (const Key& key : all_keys()) {
             if (key.name != name && !(name.ends_with('.') && key.name.starts_with(name))) continue;
             known = true;
-            if (key.changes_results && key.applies(scene)) text += plain_lines(key, scene);
+            if (key.changes_results && !key.retired && key.applies(scene)) text += plain_lines(key, scene);
         }
         if (!known)
             throw std::invalid_argument(std::string(name) +
@@ -124,7 +124,9 @@ std::string values_of(const Scene& scene, std::span<const std::string_view> name
 
 std::string key_reference() {
     std::string text = "The keys of a scene file, each usable as --set key=value too.\n";
-    for (const Key& key : all_keys()) text += "\n" + reference_entry(key);
+    for (const Key& key : all_keys()) {
+        if (!key.retired) text += "\n" + reference_entry(key);
+    }
     return text;
 }
 

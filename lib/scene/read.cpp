@@ -32,7 +32,9 @@ std::string joined(const std::vector<std::string>& lines) {
 
 std::vector<std::string> key_names() {
     std::vector<std::string> names;
-    for (const Key& key : all_keys()) names.emplace_back(key.name);
+    for (const Key& key : all_keys()) {
+        if (!key.retired) names.emplace_back(key.name);
+    }
     return names;
 }
 

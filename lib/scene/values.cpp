@@ -67,6 +67,7 @@ std::string choice_text(std::span<const std::string_view> names) {
 }  // namespace
 
 bool Range::contains(double number) const {
+    if (infinite && std::isinf(number)) return number > 0.0;
     return std::isfinite(number) && number <= max && (open ? number > min : number >= min);
 }
 

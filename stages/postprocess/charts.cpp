@@ -120,6 +120,13 @@ std::string energy_chart(const io::Table& ledger, const std::filesystem::path& p
                            .y = change(io::require_column(ledger, "boundary_work", path)),
                            .color = 4,
                            .dashed = true});
+    const auto *friction = ledger.find("friction_work"), *drag = ledger.find("drag_work");
+    if (friction && drag && (friction->back() != 0.0 || drag->back() != 0.0)) {
+        std::vector<double> both = *friction;
+        for (std::size_t i = 0; i < both.size(); ++i) both[i] += (*drag)[i];
+        panel.lines.push_back(
+            {.label = "work of friction and drag", .x = time, .y = both, .color = 5, .dashed = true});
+    }
     use_energy_unit(panel, context.scene.dimension == 2);
     return io::draw_chart(
         {.title = context.scene.title, .x_label = "time (s)", .panels = {panel}, .panel_height = 360.0},

@@ -29,6 +29,8 @@ EnergySplit split_energy(const io::Table& ledger, const std::filesystem::path& p
     const auto &time = column("time"), &kinetic = column("kinetic"), &gravitational = column("gravitational"),
                &elastic = column("elastic"), &work = column("boundary_work"),
                &outflow = column("outflow_energy"), &energy = column("energy");
+    // Runs of before friction and drag were booked have neither column.
+    const std::vector<double>*friction = ledger.find("friction_work"), *drag = ledger.find("drag_work");
     EnergySplit split{.time = time, .block = {}, .water = {}, .lost = {}, .brought = {}};
     for (std::size_t r = 0; r < time.size(); ++r) {
         double blocks = 0.0;
@@ -38,7 +40,11 @@ EnergySplit split_energy(const io::Table& ledger, const std::filesystem::path& p
         split.block.push_back(blocks);
         split.water.push_back(change(kinetic) + change(gravitational) + change(elastic) - blocks);
         split.lost.push_back(-change(energy));
-        split.brought.push_back(change(work) - change(outflow));
+        double brought = change(work) - change(outflow);
+        for (const auto* slowed : {friction, drag}) {
+            if (slowed != nullptr) brought += change(*slowed);
+        }
+        split.brought.push_back(brought);
     }
     return split;
 }

@@ -13,12 +13,16 @@
 namespace tidewater {
 namespace {
 
-// Version 6 has a tally besides, without which a run goes on too.
-constexpr std::int64_t format_version = 6;
+// Version 7 has the works of friction and drag; before it the ground acted by another rule.
+constexpr std::int64_t format_version = 7;
 
 io::Hdf5Reader open_checkpoint(const std::filesystem::path& path) {
     io::Hdf5Reader file(path, "--from start begins the run anew");
     file.require_format("checkpoint", format_version);
+    const std::int64_t version = file.integer("/", "format_version");
+    if (version < format_version)
+        file.fail("its format version " + std::to_string(version) +
+                  " is of a program whose ground acted by another rule");
     return file;
 }
 

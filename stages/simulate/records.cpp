@@ -50,7 +50,7 @@ std::vector<std::string> ledger_columns() {
     for (const auto& axis : axes) columns.push_back("momentum_" + axis);
     for (const auto& axis : axes) columns.push_back("wall_impulse_" + axis);
     columns.insert(columns.end(), {"gravity_impulse_z", "kinetic", "gravitational", "elastic",
-                                   "boundary_work", "outflow_mass"});
+                                   "boundary_work", "friction_work", "drag_work", "outflow_mass"});
     for (const auto& axis : axes) columns.push_back("outflow_momentum_" + axis);
     columns.insert(columns.end(), {"outflow_energy", "energy"});
     return columns;
@@ -59,7 +59,7 @@ std::vector<std::string> ledger_columns() {
 // momentum + outflow − walls' impulse − gravity's impulse of a row of the ledger: it stays what it was.
 template <int D>
 Vector<D, double> momentum_balance(const std::vector<double>& row) {
-    constexpr std::size_t momentum = 3, walls = momentum + D, gravity = walls + D, outflow = gravity + 6;
+    constexpr std::size_t momentum = 3, walls = momentum + D, gravity = walls + D, outflow = gravity + 8;
     using Vec = Eigen::Map<const Vector<D, double>>;
     Vector<D, double> balance = Vec(&row[momentum]) + Vec(&row[outflow]) - Vec(&row[walls]);
     balance[D - 1] -= row[gravity];
@@ -272,7 +272,7 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
 
     const mpm::Ledger<D> ledger = mpm::take_ledger(s);
     const double energy = ledger.kinetic + ledger.gravitational + ledger.elastic + s.accounts.outflow.energy -
-                          s.accounts.boundary_work;
+                          s.accounts.boundary_work - s.accounts.friction_work - s.accounts.drag_work;
     if (first_row_) start_energy_ = highest_energy_ = energy;
     highest_energy_ = std::max(highest_energy_, energy);
 
@@ -280,7 +280,8 @@ void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
     row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
     row.insert(row.end(), s.accounts.wall_impulse.begin(), s.accounts.wall_impulse.end());
     row.insert(row.end(), {s.accounts.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
-                           s.accounts.boundary_work, s.accounts.outflow.mass});
+                           s.accounts.boundary_work, s.accounts.friction_work, s.accounts.drag_work,
+                           s.accounts.outflow.mass});
     row.insert(row.end(), s.accounts.outflow.momentum.begin(), s.accounts.outflow.momentum.end());
     row.insert(row.end(), {s.accounts.outflow.energy, energy});
     ledger_.append(row);

@@ -26,11 +26,29 @@ mpm::Walls<D> make_walls(const scene::Scene::Domain& domain) {
     return walls;
 }
 
+// How the ground acts, in SI units.
+mpm::GroundRule make_rule(const scene::Scene& scene, const scene::Ground& ground) {
+    return {.ice = {.friction = ground.friction,
+                    .regular_speed = ground.sliding_speed / scene::seconds_per_year,
+                    .weertman =
+                        ground.weertman * std::pow(scene::seconds_per_year, 1.0 / ground.sliding_exponent),
+                    .exponent = ground.sliding_exponent,
+                    .pore_pressure = ground.pore_pressure},
+            .holds_water = std::isinf(ground.drag),
+            .sea_level = scene.has("water") ? scene.water.depth : 0.0,
+            .sea_weight = scene.water.model.density * scene.domain.gravity,
+            .ice_density = scene.ice.model.density};
+}
+
+mpm::DragLaw make_drag(const scene::Ground& ground) {
+    return {.coefficient = std::isinf(ground.drag) ? 0.0 : ground.drag, .manning = ground.manning};
+}
+
 // The ground at every node line; a profile is the same for all y.
 template <int D>
 mpm::Bed<D> make_bed(const scene::Scene& scene, const Ground& ground) {
     mpm::Bed<D> bed;
-    bed.rule = scene.bed.wall;
+    bed.rule = make_rule(scene, scene.bed.ground);
     bed.spacing = scene.domain.cell_size;
     bed.points.fill(1);
     bed.points[0] = static_cast<int>(std::lround(scene.domain.size[0] / bed.spacing)) + 1;
@@ -72,10 +90,15 @@ mpm::Boundaries<D> make_boundaries(const scene::Scene& scene, const Ground& grou
     if (scene.has("shelf")) {
         boundaries.shelf = {.end = scene.shelf.length,
                             .top = scene.shelf.height,
-                            .rule = scene.shelf.wall,
+                            .rule = make_rule(scene, scene.shelf.ground),
                             .retreat = scene.shelf.retreat};
+        boundaries.shelf.rule.holds_down = scene.shelf.holds_down;
+        boundaries.drag.shelf = make_drag(scene.shelf.ground);
     }
-    if (scene.has("bed")) boundaries.bed = make_bed<D>(scene, ground);
+    if (scene.has("bed")) {
+        boundaries.bed = make_bed<D>(scene, ground);
+        boundaries.drag.bed = make_drag(scene.bed.ground);
+    }
     if (scene.has("push")) boundaries.push = {scene.push.speed, scene.push.ramp};
     if (scene.has("piston")) boundaries.piston = make_piston(scene);
     if (scene.has("sponge")) boundaries.sponge = make_sponge(scene);
@@ -97,6 +120,7 @@ std::vector<mpm::RigidStart<D>> make_blocks(const scene::Scene& scene) {
                           .density = block.density,
                           .contact = block.contact,
                           .friction = block.friction,
+                          .drag = block.drag,
                           .velocity = Vec(block.velocity.data()),
                           .spin = radians * block.spin});
     }
@@ -207,8 +231,8 @@ std::string start_fingerprint(const mpm::Start<D>& start) {
         hash = hash_bytes(std::as_bytes(std::span(body.strength)), hash);
     }
     for (const auto& body : start.rigid) {
-        const std::array numbers{body.angle, body.density, static_cast<double>(body.contact), body.friction,
-                                 body.spin};
+        const std::array numbers{body.angle,    body.density, static_cast<double>(body.contact),
+                                 body.friction, body.drag,    body.spin};
         hash = hash_bytes(std::as_bytes(std::span(numbers)), hash);
         for (const auto* vector : {&body.size, &body.center, &body.velocity}) {
             hash = hash_bytes(std::as_bytes(std::span(vector->data(), static_cast<std::size_t>(D))), hash);

@@ -95,6 +95,7 @@ RigidBody make_rigid_body(const RigidStart<D>& start, double cell_size) {
     body.angular_momentum = world_inertia(body) * body.angular_velocity;
     body.contact = start.contact;
     body.friction = start.friction;
+    body.drag = start.drag;
     body.surface = surface_points<D>(body.half_size, cell_size);
     return body;
 }

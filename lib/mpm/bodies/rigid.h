@@ -42,6 +42,7 @@ struct RigidStart {
     double density = 920.0;                                // kg/m³
     BodyContact contact = BodyContact::slip;
     double friction = 0.0;  // Coulomb's coefficient, ≥ 0; read for slip only
+    double drag = 0.0;      // C_d of water along its faces, ≥ 0; read for slip only (mpm/step/contact.h)
     Vector<D, double> velocity = Vector<D, double>::Zero();  // of the centre, m/s
     double spin = 0.0;                                       // rad/s, in the sense of `angle`
 };
@@ -64,7 +65,7 @@ struct RigidBody {
     Eigen::Vector3d inertia = Eigen::Vector3d::Zero();    // I₁ … I₃, kg m²
     double mass = 0.0;                                    // M, kg
     BodyContact contact = BodyContact::slip;
-    double friction = 0.0;
+    double friction = 0.0, drag = 0.0;
     std::vector<Eigen::Vector3d> surface;  // m, in its own axes: corners, then points ≤ Δx apart
 
     Eigen::Vector3d center_in_box(double cell_size) const {  // m, from the scene's origin

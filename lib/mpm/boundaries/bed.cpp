@@ -7,28 +7,37 @@
 #include "mpm/base/instantiate.h"
 
 namespace tidewater::mpm {
-namespace {
-
 template <int D>
-typename Bed<D>::Ground ground_of(const Layout<D>& layout, const Bed<D>& bed, const Index<D - 1>& column) {
-    Vector<D - 1, double> place;
-    for (int axis = 0; axis < D - 1; ++axis) {
-        place[axis] = layout.cell_size * column[static_cast<std::size_t>(axis)];
+typename Bed<D>::Ground Bed<D>::ground(const Layout<D>& layout, const Index<across>& column) const {
+    const double cell = layout.cell_size;
+    Vector<across, double> place;
+    for (int axis = 0; axis < across; ++axis) {
+        place[axis] = cell * column[static_cast<std::size_t>(axis)];
     }
-    const Vector<D - 1, double> slope = bed.slope(place, layout.cell_size);
-    const double steepness = std::sqrt(1.0 + slope.squaredNorm());
-    typename Bed<D>::Ground ground;
-    ground.normal << -slope, 1.0;
-    ground.top = bed.height(place) + wall_reach * layout.cell_size * steepness;
-    for (std::size_t axis = 0; axis < D - 1; ++axis) {
+    const Vector<across, double> rise = slope(place, cell);
+    const double steepness = std::sqrt(1.0 + rise.squaredNorm());
+    Ground ground;
+    ground.normal << -rise, 1.0;
+    ground.height = height(place);
+    ground.top = ground.height + wall_reach * cell * steepness;
+    ground.area = steepness;
+    for (std::size_t axis = 0; axis < across; ++axis) {
         const bool inside = column[axis] > 0 && column[axis] < layout.cells[axis];
         if (!inside) ground.normal[static_cast<int>(axis)] = 0.0;
+        ground.area *= inside ? cell : 0.5 * cell;
     }
     ground.normal.normalize();
+    if (rule.ice.needs_area()) {
+        double held = 0.0;
+        const int nearest = static_cast<int>(std::lround(ground.height / cell));
+        for (int node = nearest - 2; cell * node < ground.top && node <= nearest + 2; ++node) {
+            held += quadratic_spline(node - ground.height / cell);
+        }
+        ground.room = ground.area / steepness * cell;
+        ground.area /= held;
+    }
     return ground;
 }
-
-}  // namespace
 
 template <int D>
 double Bed<D>::height(const Vector<across, double>& at) const {
@@ -71,13 +80,13 @@ Vector<Bed<D>::across, double> Bed<D>::slope(const Vector<across, double>& at, d
 template <int D>
 std::optional<typename Bed<D>::UnderBlock> Bed<D>::Acting::on(const Index<D>& block) const {
     if (!bed.exists()) return {};
-    UnderBlock under{layout, bed.rule, block, {}};
+    UnderBlock under{layout, bed.rule, dt, block, {}};
     double max_top = 0.0;
     for (int n = 0; n < power(Block<D>::width, across); ++n) {
         Index<across> column = index_of<across>(n, Block<D>::width);
         for (std::size_t axis = 0; axis < across; ++axis) column[axis] += layout.first_node(block[axis]);
         Ground& ground = under.columns[static_cast<std::size_t>(n)];
-        ground = ground_of<D>(layout, bed, column);
+        ground = bed.ground(layout, column);
         max_top = n == 0 ? ground.top : std::max(max_top, ground.top);
     }
     if (layout.cell_size * layout.first_node(block[D - 1]) >= max_top) return {};

@@ -1,11 +1,8 @@
 // The ground as a height field: z_b over x in 2D, over (x, y) in 3D.
 //
-// Grid nodes in the ground, and those up to wall_reach cells above it, keep no velocity into it. With the
-// bed's own normal n = (−∇z_b, 1)/√(1 + |∇z_b|²) and a node's distance d = (z − z_b) n_z from it,
-//
-//     slip      v ← v − (v·n) n                      at nodes with d < wall_reach Δx
-//     separate  the same, but only where v·n < 0
-//     stick     v ← 0
+// Grid nodes in the ground, and those up to wall_reach cells above it, meet it by its rule
+// (mpm/boundaries/ground.h). With the bed's own normal n = (−∇z_b, 1)/√(1 + |∇z_b|²) and a node's distance
+// d = (z − z_b) n_z from it, these are the nodes with d < wall_reach Δx.
 //
 // n is smooth wherever the bed crosses the cells, so that a sliding body feels no steps: on a plane bed all
 // forces are along one n, and the body's centre of mass accelerates by g sin α to rounding. At nodes of the
@@ -23,7 +20,8 @@
 #include <optional>
 #include <vector>
 
-#include "mpm/boundaries/wall.h"
+#include "core/spline.h"
+#include "mpm/boundaries/ground.h"
 
 namespace tidewater::mpm {
 
@@ -31,7 +29,7 @@ template <int D>
 struct Bed {
     static constexpr int across = D - 1;  // horizontal axes
 
-    WallRule rule = WallRule::separate;
+    GroundRule rule;
     double spacing = 0.0;  // m, of the lattice, which begins at the origin
     std::array<int, static_cast<std::size_t>(across)> points{};  // of the lattice per axis, ≥ 1
     std::vector<double> heights;  // m, z_b at the points, y fastest; empty: no bed
@@ -46,41 +44,56 @@ struct Bed {
     // The ground as a column of nodes along the last axis sees it.
     struct Ground {
         Vector<D, double> normal;  // n, of length 1
-        double top;                // m; the bed acts on nodes below this height
+        double height = 0.0;       // m, z_b
+        double top = 0.0;          // m; the bed acts on nodes below this height
+        // m² (m in 2D), of the column, over the sum of the spline's values at the nodes on which it acts.
+        double area = 0.0;
+        double room = 0.0;  // m³ (m²), of a node above the ground
     };
+    Ground ground(const Layout<D>& layout, const Index<across>& column) const;
+
     // The ground under one block of nodes.
     struct UnderBlock {
         const Layout<D>& layout;
-        WallRule rule;
+        const GroundRule& rule;
+        double dt;
         Index<D> block;
         std::array<Ground, static_cast<std::size_t>(power(Block<D>::width, across))> columns;
 
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& velocity, WallAction<D>&) const {
+        void act(const NodeAt<D>& at, Node<Real>& velocity, WallAction<D>& action) const {
             Index<across> column;
             for (std::size_t axis = 0; axis < across; ++axis)
-                column[axis] = node[axis] - layout.first_node(block[axis]);
+                column[axis] = at.node[axis] - layout.first_node(block[axis]);
             const Ground& ground =
                 columns[static_cast<std::size_t>(place_of<across>(column, Block<D>::width))];
-            if (!(layout.cell_size * node[D - 1] < ground.top)) return;
-            if (rule == WallRule::stick) {
-                velocity.template head<D>().setZero();
-                return;
+            const double z = layout.cell_size * at.node[D - 1];
+            if (!(z < ground.top)) return;
+            Footing<D> footing;
+            footing.normal = ground.normal;
+            footing.height = ground.height;
+            if (rule.ice.needs_area()) {
+                const double above = (z - ground.height) / layout.cell_size;
+                footing.area = ground.area * quadratic_spline(above);
+                footing.room = ground.room * quadratic_spline_integral(above);
             }
-            const Vector<D, Real> n = ground.normal.template cast<Real>();
-            const Real outward = n.dot(velocity.template head<D>().matrix());
-            if (rule == WallRule::separate && outward >= Real(0)) return;
-            velocity.template head<D>() -= outward * n.array();
+            meet_ground(rule, footing, dt, at, velocity, action);
         }
     };
     struct Acting {
         const Layout<D>& layout;
         const Bed& bed;
+        double dt;
 
         // Empty where the ground lies below the block.
         std::optional<UnderBlock> on(const Index<D>& block) const;
+        bool tells_matter(const Index<D>& block) const {
+            return bed.rule.tells_matter() && on(block).has_value();
+        }
     };
-    Acting acting(const Layout<D>& layout, const BoundaryStep&) const { return {layout, *this}; }
+    Acting acting(const Layout<D>& layout, const BoundaryStep& step) const {
+        return {layout, *this, step.dt};
+    }
 
     bool replaces_left_wall() const { return false; }
     bool hides_fill(const Layout<D>&) const { return exists(); }

@@ -19,17 +19,32 @@ Mirrors<D> mirrors_of(const Boundaries<D>& boundaries) {
     return mirrors;
 }
 
+template <int D>
+bool tells_matter(const ActingBoundaries<D>& acting, const Index<D>& block) {
+    bool tells = false;
+    const auto ask = [&](const auto& boundary) {
+        if constexpr (requires { boundary.tells_matter(block); })
+            tells = tells || boundary.tells_matter(block);
+    };
+    std::apply([&](const auto&... boundary) { (ask(boundary), ...); }, acting);
+    return tells;
+}
+
 template <int D, class Real>
 WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D>& acting,
-                               const Index<D>& block, Node<Real>* nodes) {
+                               const Index<D>& block, const BlockMatter<Real>& matter, float* grip,
+                               Node<Real>* nodes) {
     WallAction<D> all;
     const auto apply = [&](const auto& boundary) {
         const auto here = boundary.on(block);
         if (!here) return;
         WallAction<D> action;
-        action.impulse = change_nodes<D, Real>(
-            layout, block, nodes,
-            [&](const Index<D>& node, Node<Real>& velocity) { here->act(node, velocity, action); });
+        action.impulse = change_nodes<D, Real>(nodes, [&](int n, Node<Real>& velocity) {
+            const NodeAt<D> at{.node = node_at(layout, block, n),
+                               .matter = matter.of(n, velocity),
+                               .grip = grip == nullptr ? nullptr : grip + n};
+            here->act(at, velocity, action);
+        });
         if constexpr (requires { boundary.account(action); }) boundary.account(action);
         all.add(action);
     };
@@ -37,10 +52,13 @@ WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D
     return all;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                             \
-    template WallAction<D> apply_boundaries<D, Real>(const Layout<D>&, const ActingBoundaries<D>&, \
-                                                     const Index<D>&, Node<Real>*);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                  \
+    template WallAction<D> apply_boundaries<D, Real>(const Layout<D>&, const ActingBoundaries<D>&,      \
+                                                     const Index<D>&, const BlockMatter<Real>&, float*, \
+                                                     Node<Real>*);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
+template bool tells_matter<2>(const ActingBoundaries<2>&, const Index<2>&);
+template bool tells_matter<3>(const ActingBoundaries<3>&, const Index<3>&);
 template Mirrors<2> mirrors_of(const Boundaries<2>&);
 template Mirrors<3> mirrors_of(const Boundaries<3>&);
 

@@ -5,14 +5,20 @@
 //     acting(layout, step)               what it does during one step, computed once: an object with
 //         on(block)                          what it does in one block of nodes, as a pointer or optional
 //                                            that is empty where it does nothing: an object with
-//             act(node, velocity, action)        changes one node and adds the work that this takes
+//             act(at, velocity, action)          changes one node and adds the work that this takes
 //         account(action)                    optional: sets the work from the impulse given to a whole block
+//         tells_matter(block)                optional: whether it treats the block's ice and water
+//         differently
 //     replaces_left_wall()               whether it moves in from x = 0 in place of the wall
 //     hides_fill(layout)                 whether it leaves the fill of any node unknown (mpm/step/crowding.h)
 //     hides_fill_at(layout, time, node)  whether it leaves the fill of this node unknown
 //
 // Calls are resolved by type; none is virtual. What drains water, outlet and sponge, acts on
 // particles when these are sorted (mpm/step/drain.h, mpm/step/skim.h).
+//
+// A node knows what it is made of (NodeAt::matter). Ice and water share one velocity per node so far, and a
+// boundary acts on the one of which there is more; with a velocity for each it would be called once for
+// each of them, as it is.
 //
 // Tests: tests/unit/mpm/boundaries/boundaries_test.cpp, tests/unit/mpm/flume_test.cpp.
 #pragma once
@@ -22,6 +28,7 @@
 
 #include "mpm/base/interval.h"
 #include "mpm/boundaries/bed.h"
+#include "mpm/boundaries/drag.h"
 #include "mpm/boundaries/outlet.h"
 #include "mpm/boundaries/piston.h"
 #include "mpm/boundaries/push.h"
@@ -37,17 +44,19 @@ struct Boundaries {
     Shelf shelf;
     Push push;
     Bed<D> bed;
+    Drag drag;
     Piston piston;
     Sponge sponge;
     Outlet outlet;
 };
 
 // The boundaries in the order in which they act on a node. The bed comes before the walls: after the bottom
-// wall it would turn velocity that presses on a slope into motion along the slope.
+// wall it would turn velocity that presses on a slope into motion along the slope. Drag was found from
+// velocities that nothing holds yet.
 template <int D>
 inline constexpr std::tuple boundary_table{
-    &Boundaries<D>::bed,    &Boundaries<D>::walls,  &Boundaries<D>::shelf, &Boundaries<D>::push,
-    &Boundaries<D>::piston, &Boundaries<D>::outlet, &Boundaries<D>::sponge};
+    &Boundaries<D>::drag, &Boundaries<D>::bed,    &Boundaries<D>::walls,  &Boundaries<D>::shelf,
+    &Boundaries<D>::push, &Boundaries<D>::piston, &Boundaries<D>::outlet, &Boundaries<D>::sponge};
 
 // Calls visit(boundary) for each boundary, in the order of the table.
 template <int D, class Visit>
@@ -63,17 +72,24 @@ bool replaces_left_wall(const Boundaries<D>& boundaries) {
     return replaced;
 }
 
+// Whether ice is slowed by friction on any ground.
+template <int D>
+bool rubs(const Boundaries<D>& boundaries) {
+    return (boundaries.bed.exists() && boundaries.bed.rule.ice.resists()) ||
+           (boundaries.shelf.exists() && boundaries.shelf.rule.ice.resists());
+}
+
 // The mirrors of the box: every wall that slips or sticks mirrors, unless a boundary that moves replaces it.
 template <int D>
 Mirrors<D> mirrors_of(const Boundaries<D>& boundaries);
 
 // The step that follows `interval`, as boundaries need to know it: the nodes have just got the forces of that
-// step. `damping` (s) is the time over which a sponge damps.
+// step. `dt` (s) is the time over which what works by rates acts: sponge, pressure, sliding.
 template <int D>
-BoundaryStep boundary_step(const Boundaries<D>& boundaries, const Interval& interval, double damping) {
+BoundaryStep boundary_step(const Boundaries<D>& boundaries, const Interval& interval, double dt) {
     BoundaryStep step;
     if (!interval.settling) step.time = interval.end();
-    step.dt = damping;
+    step.dt = dt;
     step.left_wall_moves = replaces_left_wall(boundaries);
     return step;
 }
@@ -90,11 +106,18 @@ using ActingBoundaries =
     decltype(acting_boundaries<D>(std::declval<const Layout<D>&>(), std::declval<const Boundaries<D>&>(),
                                   std::declval<const BoundaryStep&>()));
 
+// Whether any boundary treats ice and water of this block differently.
+template <int D>
+bool tells_matter(const ActingBoundaries<D>& acting, const Index<D>& block);
+
 // Applies the boundaries to the velocities of one block of nodes, and returns their impulse and work.
-//     block  as block_at gives it
-//     nodes  the Block<D>::nodes nodes of the block
+//     block   as block_at gives it
+//     matter  what the nodes are made of
+//     grip    the grip of each node (NodeAt), or null
+//     nodes   the Block<D>::nodes nodes of the block
 template <int D, class Real>
 WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D>& acting,
-                               const Index<D>& block, Node<Real>* nodes);
+                               const Index<D>& block, const BlockMatter<Real>& matter, float* grip,
+                               Node<Real>* nodes);
 
 }  // namespace tidewater::mpm

@@ -23,7 +23,7 @@ struct Outlet {
     struct Acting {
         const Acting* on(const Index<D>&) const { return nullptr; }
         template <class Real>
-        void act(const Index<D>&, Node<Real>&, WallAction<D>&) const {}
+        void act(const NodeAt<D>&, Node<Real>&, WallAction<D>&) const {}
     };
     template <int D>
     Acting<D> acting(const Layout<D>&, const BoundaryStep&) const {

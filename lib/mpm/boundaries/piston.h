@@ -47,8 +47,8 @@ struct Piston {
             return exists && layout.first_node(block[0]) <= last ? this : nullptr;
         }
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& at_node, WallAction<D>&) const {
-            if (node[0] <= last) at_node[0] = static_cast<Real>(velocity);
+        void act(const NodeAt<D>& at, Node<Real>& at_node, WallAction<D>&) const {
+            if (at.node[0] <= last) at_node[0] = static_cast<Real>(velocity);
         }
         // The plane's work is its impulse times its speed.
         void account(WallAction<D>& action) const { action.work = action.impulse[0] * velocity; }

@@ -31,8 +31,8 @@ struct Push {
             return exists && layout.first_node(block[0]) <= last ? this : nullptr;
         }
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& at_node, WallAction<D>& action) const {
-            if (node[0] > last) return;
+        void act(const NodeAt<D>& at, Node<Real>& at_node, WallAction<D>& action) const {
+            if (at.node[0] > last) return;
             const auto pushed = std::max(at_node[0], static_cast<Real>(velocity));
             const auto gain = static_cast<double>(pushed - at_node[0]);
             action.work += static_cast<double>(at_node[mass_lane]) * gain * velocity;

@@ -40,15 +40,11 @@ struct Sponge {
         }
         // The work is the change of the nodes' kinetic energy, which is never above zero.
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& at_node, WallAction<D>& action) const {
-            const double kept = 1.0 / (1.0 + dt * sponge.damping(layout.cell_size * node[0]));
-            const auto energy = [&] {
-                return 0.5 * static_cast<double>(at_node[mass_lane]) *
-                       at_node.template head<D>().template cast<double>().matrix().squaredNorm();
-            };
-            const double before = energy();
+        void act(const NodeAt<D>& at, Node<Real>& at_node, WallAction<D>& action) const {
+            const double kept = 1.0 / (1.0 + dt * sponge.damping(layout.cell_size * at.node[0]));
+            const double before = kinetic_energy_of<D>(at_node);
             at_node.template head<D>() *= static_cast<Real>(kept);
-            action.work += energy() - before;
+            action.work += kinetic_energy_of<D>(at_node) - before;
         }
     };
     template <int D>

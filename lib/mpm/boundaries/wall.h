@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "mpm/grid/grid.h"
 
@@ -25,9 +26,10 @@ inline constexpr double wall_reach = 0.75;
 
 // What a boundary needs to know of a step.
 struct BoundaryStep {
-    std::optional<double> time;    // s; empty while the scene settles, before any boundary moves
-    double dt = 0.0;               // s, the time over which a sponge damps
-    bool left_wall_moves = false;  // a push or a piston replaces the left wall
+    std::optional<double> time;       // s; empty while the scene settles, before any boundary moves
+    double dt = 0.0;                  // s, over which a sponge damps, and pressure and sliding laws act
+    bool left_wall_moves = false;     // a push or a piston replaces the left wall
+    std::span<const double> slowing;  // m/s, by drag (mpm/boundaries/drag.h); empty without drag
 };
 
 // What boundaries did to the nodes of one block.
@@ -35,10 +37,33 @@ template <int D>
 struct WallAction {
     Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s given to the nodes
     double work = 0.0;  // J done on the nodes: impulse times speed of what moves; of a sponge ≤ 0
+    double friction_work = 0.0, drag_work = 0.0;  // J done on the nodes by the ground
 
     void add(const WallAction& other) {
         impulse += other.impulse;
         work += other.work;
+        friction_work += other.friction_work;
+        drag_work += other.drag_work;
+    }
+};
+
+// The node on which a boundary acts.
+template <int D>
+struct NodeAt {
+    Index<D> node;
+    Material matter = Material::water;  // ice or water: what most of its mass is
+    // m/s that friction could still take in this step; null where a step meets its boundaries once.
+    float* grip = nullptr;
+};
+
+// What the nodes of one block are made of.
+template <class Real>
+struct BlockMatter {
+    Material all = Material::water;   // of every node, unless they differ:
+    const Node<Real>* ice = nullptr;  // [node] the mass of ice in mass_lane
+    Material of(int n, const Node<Real>& node) const {
+        if (ice == nullptr) return all;
+        return Real(2) * ice[n][mass_lane] > node[mass_lane] ? Material::ice : Material::water;
     }
 };
 
@@ -61,22 +86,27 @@ void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
     }
 }
 
-// Calls change(index of the node, node) for each node of a block that has mass. Returns the impulse that the
-// changes of velocity gave to the nodes, kg m/s.
-//     block  as block_at gives it
+// Calls change(n, node) for each node n of a block that has mass. Returns the impulse that the changes of
+// velocity gave to the nodes, kg m/s.
 template <int D, class Real, class Change>
-Vector<D, double> change_nodes(const Layout<D>& layout, const Index<D>& block, Node<Real>* nodes,
-                               const Change& change) {
+Vector<D, double> change_nodes(Node<Real>* nodes, const Change& change) {
     Vector<D, double> impulse = Vector<D, double>::Zero();
     for (int n = 0; n < Block<D>::nodes; ++n) {
         Node<Real>& node = nodes[n];
         if (!(node[mass_lane] > Real(0))) continue;
         const Vector<D, double> before = node.template head<D>().template cast<double>().matrix();
-        change(node_at(layout, block, n), node);
+        change(n, node);
         const Vector<D, double> after = node.template head<D>().template cast<double>().matrix();
         impulse += static_cast<double>(node[mass_lane]) * (after - before);
     }
     return impulse;
+}
+
+// ½ m v², J.
+template <int D, class Real>
+double kinetic_energy_of(const Node<Real>& node) {
+    return 0.5 * static_cast<double>(node[mass_lane]) *
+           node.template head<D>().template cast<double>().matrix().squaredNorm();
 }
 
 // Whether a node lies behind x (m) along an axis, or at most `reach` cells beyond it.

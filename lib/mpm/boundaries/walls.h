@@ -22,12 +22,13 @@ struct Walls : std::array<std::array<WallRule, 2>, static_cast<std::size_t>(D)> 
 
         const Acting* on(const Index<D>& block) const;
         template <class Real>
-        void act(const Index<D>& node, Node<Real>& velocity, WallAction<D>&) const {
+        void act(const NodeAt<D>& at, Node<Real>& velocity, WallAction<D>&) const {
             for (std::size_t axis = 0; axis < D; ++axis) {
                 const auto& [near, far] = walls[axis];
                 const bool moves = axis == 0 && left_wall_moves;
-                if (node[axis] <= 0 && !moves) apply_rule<D>(near, static_cast<int>(axis), -1, velocity);
-                if (node[axis] >= layout.cells[axis]) apply_rule<D>(far, static_cast<int>(axis), 1, velocity);
+                if (at.node[axis] <= 0 && !moves) apply_rule<D>(near, static_cast<int>(axis), -1, velocity);
+                if (at.node[axis] >= layout.cells[axis])
+                    apply_rule<D>(far, static_cast<int>(axis), 1, velocity);
             }
         }
     };

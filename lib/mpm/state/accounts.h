@@ -21,6 +21,8 @@ struct Accounts {
     Vector<D, double> wall_impulse = Vector<D, double>::Zero();  // kg m/s, of all boundaries
     double gravity_impulse = 0.0;                                // kg m/s, along the last axis
     double boundary_work = 0.0;  // J, work of moving boundaries less what the sponge's damping took
+    double friction_work = 0.0;  // J ≤ 0, of ground and rigid bodies along their surfaces
+    double drag_work = 0.0;      // J, of ground and rigid bodies on water
     Outflow<D> outflow;
 };
 

@@ -1,10 +1,11 @@
 // The mass, momentum and energy of a state. Over a run (mpm/state/accounts.h),
 //
 //     momentum − gravity impulse − wall impulse + outflow            stays constant to rounding
-//     kinetic + gravitational + elastic − boundary work + outflow    decreases by the scheme's loss and by
+//     kinetic + gravitational + elastic − work + outflow             decreases by the scheme's loss and by
 //                                                                    what failing ice dissipates
 //
-// where boundary work is that of pushes and pistons, less what a sponge's damping took.
+// where work is that of pushes and pistons, less what a sponge's damping took, and those of friction and
+// drag, which are negative.
 //
 // Velocities already contain the forces of the coming step (mpm/state/simulation.h). So kinetic energy is
 // ahead of the other two by its change in half a step, and the sum may seem to grow by up to that much.

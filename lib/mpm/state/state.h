@@ -32,6 +32,8 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("wall_impulse", s.accounts.wall_impulse);
     visit("gravity_impulse", s.accounts.gravity_impulse);
     visit("boundary_work", s.accounts.boundary_work);
+    visit("friction_work", s.accounts.friction_work);
+    visit("drag_work", s.accounts.drag_work);
     visit("outflow.mass", s.accounts.outflow.mass);
     visit("outflow.momentum", s.accounts.outflow.momentum);
     visit("outflow.energy", s.accounts.outflow.energy);

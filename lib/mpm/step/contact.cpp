@@ -10,7 +10,10 @@
 namespace tidewater::mpm {
 namespace {
 
-constexpr int max_rounds = 12;      // of the iteration that finds which nodes press
+constexpr int max_rounds = 12;  // of the iteration that finds which nodes press
+// The mean, over places of a flat face between nodes, of the part of its area for which nodes in contact
+// stand.
+constexpr double mean_held_area = 1.0 - min_share;
 constexpr double min_slope = 0.02;  // |∇s| Δx below which a node sticks
 
 struct NodeContact {
@@ -19,6 +22,7 @@ struct NodeContact {
     Eigen::Vector3d arm;       // m, from the body's centre
     Eigen::Vector3d velocity;  // m/s, before the contact
     Eigen::Vector3d normal;    // outward; zero where the node sticks
+    double area = 0.0;         // m², of the face
     bool sticks = false, presses = true;
 };
 
@@ -112,6 +116,7 @@ void find_block_contacts(const ContactScene<D, Real>& scene, std::size_t self, B
         const bool stick = body.contact == BodyContact::stick && !scene.held;
         contact.sticks = stick || slope * layout.cell_size < min_slope;
         contact.normal = contact.sticks ? Eigen::Vector3d::Zero().eval() : (-share.slope / slope).eval();
+        contact.area = contact.sticks ? 0.0 : slope * std::pow(layout.cell_size, D) / mean_held_area;
         contacts.nodes.push_back(contact);
     }
 }
@@ -167,44 +172,72 @@ bool update_presses(const Vector6& motion, bool late, BlockContacts& block) {
     return changed;
 }
 
-// Impulses (kg m/s) and angular impulses (kg m²/s) on a body from nodes: along their normals and by friction.
+// Impulses (kg m/s) and angular impulses (kg m²/s) on a body from nodes: along their normals, and by friction
+// and drag along the face.
 struct ContactImpulse {
     Eigen::Vector3d impulse = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero(),
-                    friction = Eigen::Vector3d::Zero(), friction_angular = Eigen::Vector3d::Zero();
+                    along = Eigen::Vector3d::Zero(), along_angular = Eigen::Vector3d::Zero();
+    double friction_work = 0.0, drag_work = 0.0;  // J, on water and body
 
     void add(const ContactImpulse& other) {
         impulse += other.impulse;
         angular += other.angular;
-        friction += other.friction;
-        friction_angular += other.friction_angular;
+        along += other.along;
+        along_angular += other.along_angular;
+        friction_work += other.friction_work;
+        drag_work += other.drag_work;
     }
 };
 
+// The changes of a node's velocity that takes part, m/s.
+struct NodeChange {
+    Eigen::Vector3d across = Eigen::Vector3d::Zero(), friction = Eigen::Vector3d::Zero(),
+                    drag = Eigen::Vector3d::Zero();
+};
+
+// What a body's motion, friction and drag change; `relative` is its surface's velocity against the node's.
+NodeChange change_of(const NodeContact& m, const Eigen::Vector3d& relative, const RigidBody& body,
+                     const ContactStep& step) {
+    NodeChange change;
+    if (m.sticks) {
+        change.across = relative;
+        return change;
+    }
+    const double along = m.normal.dot(relative);
+    change.across = along * m.normal;
+    Eigen::Vector3d slipping = relative - change.across;
+    if (body.friction > 0.0) {
+        const double speed = slipping.norm(), max_change = body.friction * std::abs(along);
+        change.friction = speed > max_change ? Eigen::Vector3d(max_change / speed * slipping) : slipping;
+        slipping -= change.friction;
+    }
+    if (body.drag > 0.0) {
+        const double share =
+            step.water_density * body.drag * m.area * slipping.norm() * step.force_dt / m.mass;
+        change.drag = share / (1.0 + share) * slipping;
+    }
+    return change;
+}
+
 // Gives the nodes of a block their velocities after the contact, and returns the impulse on the body.
 template <int D, class Real>
-ContactImpulse move_nodes(const Vector6& motion, double friction, const BlockContacts& block,
-                          Node<Real>* nodes) {
+ContactImpulse move_nodes(const Vector6& motion, const RigidBody& body, const ContactStep& step,
+                          const BlockContacts& block, Node<Real>* nodes) {
     ContactImpulse received;
     for (const NodeContact& m : block.nodes) {
+        if (!m.sticks && !m.presses) continue;
         const Eigen::Vector3d relative = velocity_at(motion, m.arm) - m.velocity;
-        Eigen::Vector3d change = Eigen::Vector3d::Zero(), dragged = Eigen::Vector3d::Zero();
-        if (m.sticks) {
-            change = relative;
-        } else if (m.presses) {
-            const double along = m.normal.dot(relative);
-            change = along * m.normal;
-            const Eigen::Vector3d slipping = relative - change;
-            const double speed = slipping.norm(), max_drag = friction * std::abs(along);
-            dragged = speed > max_drag ? Eigen::Vector3d(max_drag / speed * slipping) : slipping;
-            if (friction == 0.0) dragged.setZero();
-        } else {
-            continue;
-        }
-        received.impulse -= m.mass * change;
-        received.angular -= m.mass * m.arm.cross(change);
-        received.friction -= m.mass * dragged;
-        received.friction_angular -= m.mass * m.arm.cross(dragged);
-        const Vector<D, double> velocity = drop<D>(m.velocity + change + dragged);
+        const NodeChange change = change_of(m, relative, body, step);
+        const Eigen::Vector3d along = change.friction + change.drag;
+        received.impulse -= m.mass * change.across;
+        received.angular -= m.mass * m.arm.cross(change.across);
+        received.along -= m.mass * along;
+        received.along_angular -= m.mass * m.arm.cross(along);
+        // Impulse times the mean of the node's speed against the body, before and after.
+        const Eigen::Vector3d mean = 0.5 * along - (relative - change.across);
+        received.friction_work += m.mass * change.friction.dot(mean);
+        received.drag_work += m.mass * change.drag.dot(mean);
+        const Vector<D, double> velocity = drop<D>(m.velocity + change.across + along);
         nodes[m.node].template head<D>() = velocity.template cast<Real>().array();
     }
     return received;
@@ -226,7 +259,7 @@ std::vector<Partner> find_partners(const ContactScene<D, Real>& scene, const Con
                      [&](std::size_t k) { find_block_contacts(scene, n, partner.blocks[k]); });
         const RigidBody& body = scene.bodies[n];
         Eigen::Vector3d fallen = body.velocity;
-        fallen[2] -= step.gravity_dt * step.gravity;
+        fallen[2] -= step.force_dt * step.gravity;
         partner.alone.a.diagonal().head<3>().setConstant(body.mass);
         partner.alone.a.bottomRightCorner<3, 3>() = world_inertia(body);
         partner.alone.b << body.mass * fallen, body.angular_momentum;
@@ -274,7 +307,7 @@ std::vector<Vector6> find_motions(double dt, bool held, std::vector<Partner>& pa
 
 template <int D, class Real>
 void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, Grid<D, Real>& grid,
-                      std::vector<RigidBody>& bodies, Vector<D, double>& wall_impulse) {
+                      std::vector<RigidBody>& bodies, Accounts<D>& accounts) {
     if (bodies.empty()) return;
     std::vector<ContactPoint> points = find_contacts(grid.layout, boundaries, step.dt, bodies);
     ContactScene<D, Real> scene{grid, bodies, {}, step.held};
@@ -287,18 +320,20 @@ void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, 
         std::vector<ContactImpulse> of_block(blocks.size());
         parallel_for(of_block.size(), [&](std::size_t k) {
             of_block[k] =
-                move_nodes<D, Real>(motion[n], body.friction, blocks[k], grid.block_nodes(blocks[k].slot));
+                move_nodes<D, Real>(motion[n], body, step, blocks[k], grid.block_nodes(blocks[k].slot));
         });
         ContactImpulse received;
         for (const ContactImpulse& part : of_block) received.add(part);
-        body.water_impulse += received.impulse + received.friction;
-        body.water_angular_impulse += received.angular + received.friction_angular;
+        accounts.friction_work += received.friction_work;
+        accounts.drag_work += received.drag_work;
+        body.water_impulse += received.impulse + received.along;
+        body.water_angular_impulse += received.angular + received.along_angular;
         if (step.held) {  // something outside of the scene holds the body and takes its impulse
-            wall_impulse -= drop<D>(received.impulse + received.friction);
+            accounts.wall_impulse -= drop<D>(received.impulse + received.along);
             continue;
         }
-        body.velocity = motion[n].head<3>() + received.friction / body.mass;
-        body.angular_momentum = world_inertia(body) * motion[n].tail<3>() + received.friction_angular;
+        body.velocity = motion[n].head<3>() + received.along / body.mass;
+        body.angular_momentum = world_inertia(body) * motion[n].tail<3>() + received.along_angular;
         body.angular_velocity = world_inertia(body).ldlt().solve(body.angular_momentum);
     }
     for (const ContactPoint& point : points) {
@@ -307,13 +342,13 @@ void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, 
         if (point.b)
             bodies[*point.b].contact_impulse -= impulse;
         else
-            wall_impulse += drop<D>(impulse);
+            accounts.wall_impulse += drop<D>(impulse);
     }
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                       \
     template void resolve_contacts(const ContactStep&, const Boundaries<D>&, Grid<D, Real>&, \
-                                   std::vector<RigidBody>&, Vector<D, double>&);
+                                   std::vector<RigidBody>&, Accounts<D>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

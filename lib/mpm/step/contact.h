@@ -5,7 +5,13 @@
 //     stick    v_i' = U(x_i),   U(x) = V + ω × (x − c)
 //     slip     v_i' = v_i + n n·(U(x_i) − v_i)   where that presses on the water, else v_i' = v_i,
 //              with n = −∇s/|∇s|. Friction then changes the velocity along the surface by at most μ times the
-//              change along n. Deep inside, where ∇s gives no direction, a node sticks.
+//              change along n, and drag slows what is left, u, by u K/(1 + K), K = ρw C_d A u Δt/m_i.
+//              Deep inside, where ∇s gives no direction, a node sticks.
+//
+// A = |∇s| Δx^D/0.93 is the part of the face that a node stands for: over all nodes that have a share
+// |∇s| Δx^D sums to the face's area, over those that take part to 0.93 of it on average. Drag acts on the
+// nodes at the face alone (not on a whole column of water, mpm/boundaries/drag.h): it tells the force on a
+// body, while the water that it drags along stays within cells of the face.
 //
 // The body's motion u = (V, ω) and these velocities are found together, so that the body loses the impulse
 // and the angular impulse that the nodes gain:
@@ -34,19 +40,20 @@ inline constexpr double min_share = (1.5 - wall_reach) * (1.5 - wall_reach) * (1
 
 // What contacts need to know of a step.
 struct ContactStep {
-    double dt = 0.0;          // s, the step whose forces the nodes' velocities have
-    double gravity_dt = 0.0;  // s, for which bodies still have to get gravity's impulse
-    double gravity = 0.0;     // m/s²
-    bool held = false;        // the scene settles: bodies stay in place, and water slips along all of them
+    double dt = 0.0;             // s, the step whose forces the nodes' velocities have
+    double force_dt = 0.0;       // s, for which gravity on bodies and drag have still to act
+    double gravity = 0.0;        // m/s²
+    double water_density = 0.0;  // kg/m³, ρw of the drag
+    bool held = false;           // the scene settles: bodies stay in place, and water slips along all of them
 };
 
 // Gives the bodies gravity's impulse and resolves their contacts with nodes, walls, the bed and each other.
 //     grid          reads the masses and velocities of nodes; writes the velocities of those in contact
 //     bodies        reads their motions; writes these and their impulses, and pushes back what is too deep
-//     wall_impulse  adds the impulses of walls and bed on bodies, and of what holds bodies while the scene
-//                   settles, kg m/s
+//     accounts      adds to wall_impulse those of walls and bed on bodies, and of what holds bodies while the
+//                   scene settles, and to friction_work and drag_work those along the bodies' faces
 template <int D, class Real>
 void resolve_contacts(const ContactStep& step, const Boundaries<D>& boundaries, Grid<D, Real>& grid,
-                      std::vector<RigidBody>& bodies, Vector<D, double>& wall_impulse);
+                      std::vector<RigidBody>& bodies, Accounts<D>& accounts);
 
 }  // namespace tidewater::mpm

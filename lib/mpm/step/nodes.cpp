@@ -38,11 +38,13 @@ void sum_momenta(Real kick, std::size_t slot, Grid<D, Real>& grid) {
 }
 
 template <int D, class Real>
-NodeResult<D> bound_velocities(const ActingBoundaries<D>& acting, std::size_t slot, Grid<D, Real>& grid) {
+NodeResult<D> bound_velocities(const ActingBoundaries<D>& acting, const NodeMatter<Real>& matter,
+                               std::size_t slot, std::span<float> grip, Grid<D, Real>& grid) {
     Node<Real>* nodes = grid.block_nodes(slot);
+    float* own_grip = grip.empty() ? nullptr : grip.data() + slot * Block<D>::nodes;
     NodeResult<D> result;
-    result.action =
-        apply_boundaries<D, Real>(grid.layout, acting, block_at<D>(grid.node_blocks[slot]), nodes);
+    result.action = apply_boundaries<D, Real>(grid.layout, acting, block_at<D>(grid.node_blocks[slot]),
+                                              matter.of(slot), own_grip, nodes);
     result.max_speed2 = max_speed2_of<D, Real>(nodes);
     return result;
 }
@@ -62,9 +64,10 @@ void add_unfolding_impulse(const Slots& particle_slots, Grid<D, Real>& grid,
     for (const auto& impulse : of_block) wall_impulse += impulse;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                                \
-    template void sum_momenta(Real, std::size_t, Grid<D, Real>&);                                     \
-    template NodeResult<D> bound_velocities(const ActingBoundaries<D>&, std::size_t, Grid<D, Real>&); \
+#define TIDEWATER_INSTANTIATE(D, Real)                                                           \
+    template void sum_momenta(Real, std::size_t, Grid<D, Real>&);                                \
+    template NodeResult<D> bound_velocities(const ActingBoundaries<D>&, const NodeMatter<Real>&, \
+                                            std::size_t, std::span<float>, Grid<D, Real>&);      \
     template void add_unfolding_impulse(const Slots&, Grid<D, Real>&, Vector<D, double>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 

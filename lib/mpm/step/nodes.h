@@ -9,6 +9,7 @@
 #include "mpm/boundaries/boundaries.h"
 #include "mpm/state/simulation.h"
 #include "mpm/step/blocks.h"
+#include "mpm/step/matter.h"
 
 namespace tidewater::mpm {
 
@@ -27,8 +28,10 @@ struct NodeResult {
 };
 
 // Applies the boundaries to the velocities of node block `slot`.
+//     grip  [node block][node] as NodeAt has it; empty where a step meets its boundaries once
 template <int D, class Real>
-NodeResult<D> bound_velocities(const ActingBoundaries<D>& acting, std::size_t slot, Grid<D, Real>& grid);
+NodeResult<D> bound_velocities(const ActingBoundaries<D>& acting, const NodeMatter<Real>& matter,
+                               std::size_t slot, std::span<float> grip, Grid<D, Real>& grid);
 
 // Adds to wall_impulse (kg m/s) what walls that mirror will give to the particles when these next read the
 // nodes' velocities. Reads these velocities, and reads and clears the masses that folding kept in the tiles.

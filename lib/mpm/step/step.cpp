@@ -8,9 +8,11 @@
 #include "mpm/step/blocks.h"
 #include "mpm/step/contact.h"
 #include "mpm/step/failures.h"
+#include "mpm/step/matter.h"
 #include "mpm/step/nodes.h"
 #include "mpm/step/pass.h"
 #include "mpm/step/restore.h"
+#include "mpm/step/slow_columns.h"
 #include "mpm/step/sort.h"
 
 namespace tidewater::mpm {
@@ -44,6 +46,8 @@ double book_boundaries(const Interval& interval, const Simulation<D, Real>& s,
         max2 = std::max(max2, results[n].max_speed2);
         accounts.wall_impulse += results[n].action.impulse;
         accounts.boundary_work += results[n].action.work;
+        accounts.friction_work += results[n].action.friction_work;
+        accounts.drag_work += results[n].action.drag_work;
     }
     return std::sqrt(max2);
 }
@@ -85,36 +89,53 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     // grid has for them.
 
     const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
-    const auto acting =
-        acting_boundaries(s.grid.layout, boundaries, boundary_step(boundaries, interval, next_dt));
+    BoundaryStep step = boundary_step(boundaries, interval, next_dt);
+    const NodeMatter<Real> matter =
+        find_matter(acting_boundaries(s.grid.layout, boundaries, step), blocks.nodes, s.bodies, s.grid);
+    const bool twice = s.parameters.transfer == Transfer::restored;
+    std::vector<float> grip;
+    if (twice && rubs(boundaries)) grip.resize(s.grid.nodes.size());
     std::vector<NodeResult<D>> results(blocks.nodes.size());
-    const auto bound_all = [&](const ActingBoundaries<D>& by) {
-        parallel_for(blocks.nodes.size(),
-                     [&](std::size_t n) { results[n] = bound_velocities(by, blocks.nodes[n], s.grid); });
+    const auto bound = [&](const ActingBoundaries<D>& by, std::size_t n) {
+        results[n] = bound_velocities<D, Real>(by, matter, blocks.nodes[n], grip, s.grid);
     };
-    ContactStep contact{
-        .dt = next_dt, .gravity_dt = next_dt, .gravity = s.parameters.gravity, .held = interval.settling};
-    if (s.rigid.empty()) {  // both stages run on a block while it is in the cache
+    const auto bound_all = [&] {
+        const auto acting = acting_boundaries(s.grid.layout, boundaries, step);
+        parallel_for(blocks.nodes.size(), [&](std::size_t n) { bound(acting, n); });
+        s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
+    };
+    ContactStep contact{.dt = next_dt,
+                        .force_dt = next_dt,
+                        .gravity = s.parameters.gravity,
+                        .water_density = s.parameters.water.density,
+                        .held = interval.settling};
+    const bool stages_apart = !s.rigid.empty() || boundaries.drag.exists();
+    if (!stages_apart) {  // both stages run on a block while it is in the cache
+        const auto acting = acting_boundaries(s.grid.layout, boundaries, step);
         parallel_for(blocks.nodes.size(), [&](std::size_t n) {
             sum_momenta(kick, blocks.nodes[n], s.grid);
-            results[n] = bound_velocities(acting, blocks.nodes[n], s.grid);
+            bound(acting, n);
         });
+        s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
     } else {
         for_each_slot(blocks.nodes, [&](std::size_t slot) { sum_momenta(kick, slot, s.grid); });
         clock.charge(Phase::grid);
-        resolve_contacts(contact, boundaries, s.grid, s.rigid, wall_impulse);
+        resolve_contacts(contact, boundaries, s.grid, s.rigid, s.accounts);
         clock.charge(Phase::rigid);
-        bound_all(acting);
+        std::vector<double> slowing;
+        if (boundaries.drag.exists())
+            slowing = slow_columns(s.parameters, step, blocks.nodes, matter, s.grid);
+        step.slowing = slowing;
+        bound_all();
     }
-    s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
 
-    if (s.parameters.transfer == Transfer::restored) {
+    if (twice) {
         restore_velocities(s.bodies, s.grid, wall_impulse);
-        contact.gravity_dt = 0.0;  // the bodies have it already
-        resolve_contacts(contact, boundaries, s.grid, s.rigid, wall_impulse);
-        bound_all(acting_boundaries(s.grid.layout, boundaries,
-                                    boundary_step(boundaries, interval, 0.0)));  // the sponge has damped
-        s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
+        contact.force_dt = 0.0;  // the bodies have got it already
+        resolve_contacts(contact, boundaries, s.grid, s.rigid, s.accounts);
+        step.dt = 0.0;  // and so has all that works by rates
+        step.slowing = {};
+        bound_all();
     }
 
     add_unfolding_impulse(blocks.particles, s.grid, wall_impulse);

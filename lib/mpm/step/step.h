@@ -6,7 +6,9 @@
 //                 with the forces of the coming step, all while a batch is in the cache (mpm/step/pass.h);
 //                 then rigid bodies move by dt
 //     nodes       tiles → nodes, momentum → velocity, gravity (mpm/step/nodes.h)
+//     matter      which nodes are ice and which water, where a boundary tells them apart (mpm/step/matter.h)
 //     contacts    rigid bodies with their nodes, walls and each other (mpm/step/contact.h)
+//     drag        how much the ground slows each column of water (mpm/step/slow_columns.h)
 //     boundaries  hold, move or damp nodes (mpm/step/nodes.h, mpm/boundaries/boundaries.h)
 //     restore     gives back what the coming transfer will lose, then contacts and boundaries once more; only
 //                 where Transfer::restored is chosen (mpm/step/restore.h)

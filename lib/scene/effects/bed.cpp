@@ -3,13 +3,14 @@
 #include <array>
 
 #include "scene/effects/effect.h"
+#include "scene/ground_keys.h"
 #include "scene/reading.h"
 #include "scene/text.h"
 
 namespace tidewater::scene {
 namespace {
 
-constexpr std::array keys{
+constexpr std::array shape_keys{
     Key{.name = "bed.profile",
         .unit = "m",
         .member = member<&Scene::bed, &Bed::profile>(),
@@ -29,12 +30,11 @@ constexpr std::array keys{
         .member = member<&Scene::bed, &Bed::shape>(),
         .effect = "bed",
         .help = "between corners: straight, or smooth, which is level at each corner"},
-    Key{.name = "bed.wall",
-        .member = member<&Scene::bed, &Bed::wall>(),
-        .effect = "bed",
-        .stages = by_simulate,
-        .help = "what the ground does to what touches it"},
 };
+constexpr auto keys = joined(
+    shape_keys, ground_keys<&Scene::bed, &Bed::ground>(
+                    "bed", {"bed.friction", "bed.sliding_speed", "bed.weertman", "bed.sliding_exponent",
+                            "bed.pore_pressure", "bed.drag", "bed.manning", "bed.wall"}));
 
 // Then the geometry stage knows the heights, and the scene does not.
 bool from_elevation_model(const Scene& scene) { return scene.has("dem") && !scene.dem.bed.empty(); }
@@ -88,14 +88,21 @@ void check_shelf(Reading& reading, const geometry::Profile& profile) {
                                       "; raise shelf.height or lower the bed there");
 }
 
+void derive(Reading& reading) { derive_ground(reading, "bed", reading.scene.bed.ground); }
+
 void check(Reading& reading) {
     const Scene& scene = reading.scene;
+    check_ground(reading, "bed", scene.bed.ground);
     if (from_elevation_model(scene) || !reading.usable({"bed.profile"})) return;
     check_profile(reading);
     if (!bed_profile_known(reading) || !reading.usable({"dimension", "domain.size"})) return;
     const geometry::Profile profile = bed_profile(scene);
     check_heights(reading, profile);
     check_shelf(reading, profile);
+}
+
+std::vector<std::string> warnings(const Scene& scene) {
+    return ground_warnings(scene, "bed", scene.bed.ground);
 }
 
 }  // namespace
@@ -116,6 +123,7 @@ bool bed_profile_known(const Reading& reading) {
            reading.usable({"bed.profile"}) && !list.empty() && list.size() % 2 == 0 && is_rising(list);
 }
 
-constinit const Effect bed_effect{.name = "bed", .keys = keys, .check = check};
+constinit const Effect bed_effect{
+    .name = "bed", .keys = keys, .derive = derive, .check = check, .warnings = warnings};
 
 }  // namespace tidewater::scene

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/profile.h"
-#include "mpm/boundaries/wall.h"
 #include "scene/enum_names.h"
+#include "scene/ground.h"
 
 namespace tidewater::scene {
 
@@ -26,7 +26,7 @@ struct Bed {
     std::vector<double> profile;  // m
     std::string profile_file;
     BedShape shape = BedShape::straight;
-    mpm::WallRule wall = mpm::WallRule::separate;
+    Ground ground;
 };
 
 // The ground of a scene whose bed has a profile.

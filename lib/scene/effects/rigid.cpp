@@ -65,6 +65,13 @@ constexpr std::array keys{
         .effect = "rigid",
         .stages = by_simulate,
         .help = "Coulomb's coefficient of contact = \"slip\""},
+    Key{.name = "block.drag",
+        .member = item_member<&Scene::blocks, &Block::drag>(),
+        .range = not_negative,
+        .effect = "rigid",
+        .stages = by_simulate,
+        .help =
+            "of water along its faces with contact = \"slip\", tau = drag rho u²; 0.002 to 0.005 in nature"},
     Key{.name = "block.velocity",
         .unit = "m/s",
         .member = item_member<&Scene::blocks, &Block::velocity>(),
@@ -158,12 +165,19 @@ void check_overlaps(Reading& reading, std::size_t n) {
     if (depth > slack) report_overlap(reading, n, "the ground (bed.profile)", depth);
 }
 
-void check_friction(Reading& reading, std::size_t n) {
+// Friction and drag act on what slides along the block.
+void check_sliding(Reading& reading, std::size_t n) {
     const Scene& scene = reading.scene;
-    const std::string contact = block_key(scene, n, "contact"), friction = block_key(scene, n, "friction");
-    if (!reading.usable({contact, friction})) return;
-    if (scene.blocks[n].contact == mpm::BodyContact::slip || scene.blocks[n].friction == 0.0) return;
-    reading.report(friction, "is not read with contact = \"stick\"; remove it or set contact = \"slip\"");
+    const Block& block = scene.blocks[n];
+    const std::string contact = block_key(scene, n, "contact");
+    const auto refuse = [&](const char* name, double value) {
+        const std::string key = block_key(scene, n, name);
+        if (!reading.usable({contact, key})) return;
+        if (block.contact == mpm::BodyContact::slip || value == 0.0) return;
+        reading.report(key, "is not read with contact = \"stick\"; remove it or set contact = \"slip\"");
+    };
+    refuse("friction", block.friction);
+    refuse("drag", block.drag);
 }
 
 void check(Reading& reading) {
@@ -173,7 +187,7 @@ void check(Reading& reading) {
     }
     const bool tank = reading.usable({"dimension", "domain.size", "domain.cell_size"});
     for (std::size_t n = 0; n < reading.scene.blocks.size(); ++n) {
-        check_friction(reading, n);
+        check_sliding(reading, n);
         if (!tank || !placed(reading, n)) continue;
         check_inside(reading, n);
         check_overlaps(reading, n);

@@ -18,7 +18,7 @@ struct Block {
     double angle = 0.0;          // degrees
     double density = 920.0;      // kg/m³
     mpm::BodyContact contact = mpm::BodyContact::slip;
-    double friction = 0.0;
+    double friction = 0.0, drag = 0.0;
     std::vector<double> velocity;  // m/s
     double spin = 0.0;             // degrees/s
 };

@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "scene/effects/effect.h"
+#include "scene/ground_keys.h"
 #include "scene/reading.h"
 #include "scene/text.h"
 
 namespace tidewater::scene {
 namespace {
 
-constexpr std::array keys{
+constexpr std::array shape_keys{
     Key{.name = "shelf.length",
         .unit = "m",
         .member = member<&Scene::shelf, &Shelf::length>(),
@@ -19,7 +20,7 @@ constexpr std::array keys{
         .example = "150",
         .effect = "shelf",
         .required = true,
-        .help = "of the ground without friction, from the left wall; a whole number of cells"},
+        .help = "from the left wall; a whole number of cells"},
     Key{.name = "shelf.height",
         .unit = "m",
         .member = member<&Scene::shelf, &Shelf::height>(),
@@ -28,11 +29,11 @@ constexpr std::array keys{
         .effect = "shelf",
         .required = true,
         .help = "of its top above the bottom; a whole number of cells"},
-    Key{.name = "shelf.wall",
-        .member = member<&Scene::shelf, &Shelf::wall>(),
+    Key{.name = "shelf.holds_down",
+        .member = member<&Scene::shelf, &Shelf::holds_down>(),
         .effect = "shelf",
         .stages = by_simulate,
-        .help = "what its top does: let go of what lifts off, or hold it down (slip)"},
+        .help = "whether its top holds down what would lift off"},
     Key{.name = "shelf.retreat",
         .unit = "m/s",
         .member = member<&Scene::shelf, &Shelf::retreat>(),
@@ -41,6 +42,11 @@ constexpr std::array keys{
         .stages = by_simulate,
         .help = "speed at which its end moves back under the ice"},
 };
+constexpr auto keys =
+    joined(shape_keys,
+           ground_keys<&Scene::shelf, &Shelf::ground>(
+               "shelf", {"shelf.friction", "shelf.sliding_speed", "shelf.weertman", "shelf.sliding_exponent",
+                         "shelf.pore_pressure", "shelf.drag", "shelf.manning", "shelf.wall"}));
 
 // The faces of a shelf lie on cell edges within the tank.
 void check_face(Reading& reading, const char* key, double length, std::size_t axis) {
@@ -58,15 +64,27 @@ void check_face(Reading& reading, const char* key, double length, std::size_t ax
     }
 }
 
+void derive(Reading& reading) {
+    Shelf& shelf = reading.scene.shelf;
+    derive_ground(reading, "shelf", shelf.ground);
+    if (shelf.ground.wall == mpm::WallRule::slip) shelf.holds_down = true;
+}
+
 void check(Reading& reading) {
     const Scene& scene = reading.scene;
+    check_ground(reading, "shelf", scene.shelf.ground);
     if (!reading.usable({"dimension", "domain.size", "domain.cell_size"})) return;
     check_face(reading, "shelf.length", scene.shelf.length, 0);
     check_face(reading, "shelf.height", scene.shelf.height, scene.domain.size.size() - 1);
 }
 
+std::vector<std::string> warnings(const Scene& scene) {
+    return ground_warnings(scene, "shelf", scene.shelf.ground);
+}
+
 }  // namespace
 
-constinit const Effect shelf_effect{.name = "shelf", .keys = keys, .check = check};
+constinit const Effect shelf_effect{
+    .name = "shelf", .keys = keys, .derive = derive, .check = check, .warnings = warnings};
 
 }  // namespace tidewater::scene

@@ -1,7 +1,7 @@
-// The effect "shelf": a block of ground without friction at the left wall, which may retreat under the ice.
+// The effect "shelf": a block of ground at the left wall, which may retreat under the ice.
 #pragma once
 
-#include "mpm/boundaries/wall.h"
+#include "scene/ground.h"
 
 namespace tidewater::scene {
 
@@ -12,7 +12,8 @@ struct Shelf {
     double length = 0.0;   // m
     double height = 0.0;   // m
     double retreat = 0.0;  // m/s
-    mpm::WallRule wall = mpm::WallRule::separate;
+    bool holds_down = false;
+    Ground ground;
 };
 
 extern const Effect shelf_effect;

@@ -9,6 +9,7 @@
 
 #include "mpm/state/ledger.h"
 #include "support/mixed_tank.h"
+#include "support/rough_ground.h"
 #include "support/state.h"
 
 using namespace tidewater;
@@ -83,8 +84,7 @@ void check_sorted(const Simulation<D, Real>& s, const Start<D>& start) {
 }
 
 template <int D, class Real>
-void check_threads(std::initializer_list<int> counts) {
-    const auto start = test::mixed_tank<D>();
+void check_threads(const Start<D>& start, std::initializer_list<int> counts) {
     const auto serial = run<D, Real>(start, 300, 1);
     const auto serial_ledger = take_ledger(serial);
     REQUIRE(serial.bodies.size() == 2);
@@ -99,6 +99,8 @@ void check_threads(std::initializer_list<int> counts) {
         CHECK(state_hash(parallel) == state_hash(serial));
         CHECK(take_ledger(parallel).kinetic == serial_ledger.kinetic);
         CHECK(parallel.accounts.wall_impulse == serial.accounts.wall_impulse);
+        CHECK(parallel.accounts.friction_work == serial.accounts.friction_work);
+        CHECK(parallel.accounts.drag_work == serial.accounts.drag_work);
     }
 }
 
@@ -107,8 +109,17 @@ void check_threads(std::initializer_list<int> counts) {
 TEST_CASE_TEMPLATE("gives the same bits with 1, 2, 5 and 16 threads, for all kinds in one tank", Dimension,
                    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     constexpr int D = Dimension::value;
-    check_threads<D, float>({2, 5, 16});
-    check_threads<D, double>({2, 5, 16});
+    check_threads<D, float>(test::mixed_tank<D>(), {2, 5, 16});
+    check_threads<D, double>(test::mixed_tank<D>(), {2, 5, 16});
+}
+
+TEST_CASE_TEMPLATE("gives the same bits with 1, 2 and 5 threads on ground that rubs and drags", Dimension,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+    constexpr int D = Dimension::value;
+    auto start = test::on_rough_ground(test::mixed_tank<D>());
+    check_threads<D, float>(start, {2, 5});
+    start.parameters.transfer = Transfer::restored;
+    check_threads<D, double>(start, {2, 5});
 }
 
 TEST_CASE_TEMPLATE("a scene moved by whole blocks gives the same bits", Dimension,

@@ -16,7 +16,7 @@ namespace {
 
 // Heights at every node line along x, the same for all y.
 template <int D, class Height>
-Bed<D> make_bed(double cell_size, const Index<D>& cells, WallRule rule, const Height& height) {
+Bed<D> make_bed(double cell_size, const Index<D>& cells, const Height& height, const GroundRule& rule = {}) {
     Bed<D> bed;
     bed.rule = rule;
     bed.spacing = cell_size;
@@ -44,7 +44,7 @@ Start<D> water_start(double cell_size, const Index<D>& cells, double sound_speed
 // Acceleration along a slope of `angle` of a ball's centre of mass over g sin(angle), from its velocities
 // between two times. The ball starts in contact, `cells_across` cells in diameter, with walls far away.
 template <int D>
-double slide(double angle, int cells_across, WallRule rule) {
+double slide(double angle, int cells_across) {
     const double slope = std::tan(angle), down = slope < 0.0 ? 1.0 : -1.0;  // along x
     const double diameter = 1.0, cell = diameter / cells_across;
     Index<D> cells;
@@ -58,7 +58,7 @@ double slide(double angle, int cells_across, WallRule rule) {
     center[D - 1] = height(center[0]) + 0.5 * diameter / std::cos(angle);
     auto start = water_start<D>(cell, cells, 30.0, 0.0,
                                 [&](const auto& point) { return (point - center).norm() < 0.5 * diameter; });
-    start.parameters.boundaries.bed = make_bed<D>(cell, cells, rule, height);
+    start.parameters.boundaries.bed = make_bed<D>(cell, cells, height);
     auto s = make_simulation<D, double>(start);
     const auto along = [&] {
         const auto ledger = take_ledger(s);
@@ -100,17 +100,18 @@ TEST_CASE("a bed's height is bilinear between its points and level beyond them")
     CHECK(!Bed<2>{}.exists());
 }
 
-TEST_CASE("a bed takes what goes into the ground along its own normal, by its rule, and says its impulse") {
+TEST_CASE("a bed takes what goes into the ground along its own normal, and says its impulse") {
     const Layout<2> layout{0.5, {32, 32}};
-    const auto act = [&](WallRule rule, const Vector<2, double>& v, WallAction<2>& action) {
-        const auto bed = make_bed<2>(0.5, layout.cells, rule, [](double x) { return 0.3 + 0.75 * x; });
+    const auto act = [&](const GroundRule& rule, const Vector<2, double>& v, WallAction<2>& action) {
+        const auto bed = make_bed<2>(
+            0.5, layout.cells, [](double x) { return 0.3 + 0.75 * x; }, rule);
         std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(v[0], v[1], 0.0, 2.0));
         const auto acting = bed.acting(layout, {});
         const auto under = acting.on({2, 2});
         REQUIRE(under.has_value());
-        action.impulse = change_nodes<2, double>(
-            layout, {2, 2}, nodes.data(),
-            [&](const Index<2>& node, Node<double>& velocity) { under->act(node, velocity, action); });
+        action.impulse = change_nodes<2, double>(nodes.data(), [&](int n, Node<double>& velocity) {
+            under->act({.node = node_at<2>(layout, {2, 2}, n)}, velocity, action);
+        });
         return nodes;
     };
     const auto at = [](const auto& nodes, int x, int z) -> Vector<2, double> {
@@ -119,34 +120,33 @@ TEST_CASE("a bed takes what goes into the ground along its own normal, by its ru
     const Vector<2, double> normal(-0.6, 0.8), along(0.8, 0.6);
     WallAction<2> action;
     // At x = 2 m, node 4, the ground is at 1.8 m; nodes up to 0.75 · 0.5/0.8 m above it are held: z ≤ 2.2 m.
-    const auto slip = act(WallRule::slip, normal + 2.0 * along, action);
-    CHECK(at(slip, 4, 4).isApprox(2.0 * along));
-    CHECK(at(slip, 4, 5).isApprox(normal + 2.0 * along));
-    CHECK(action.impulse.dot(normal) < 0.0);
-    const auto free = act(WallRule::separate, normal + 2.0 * along, action);
-    CHECK(at(free, 4, 2).isApprox(normal + 2.0 * along));
-    const auto pressed = act(WallRule::separate, -normal + 2.0 * along, action);
-    CHECK(at(pressed, 4, 2).isApprox(2.0 * along));
+    const auto pressed = act({}, -normal + 2.0 * along, action);
+    CHECK(at(pressed, 4, 4).isApprox(2.0 * along));
+    CHECK(at(pressed, 4, 5).isApprox(-normal + 2.0 * along));
     CHECK(action.impulse.dot(normal) > 0.0);
-    CHECK(at(act(WallRule::stick, normal, action), 4, 4).isZero());
+    const auto free = act({}, normal + 2.0 * along, action);
+    CHECK(at(free, 4, 2).isApprox(normal + 2.0 * along));
+    GroundRule held;
+    held.holds_water = true;
+    CHECK(at(act(held, normal, action), 4, 4).isZero());
     CHECK(action.work == 0.0);
     // In the corner with the wall the normal has no part into the wall.
-    const auto falling = act(WallRule::separate, -normal, action);
+    const auto falling = act({}, -normal, action);
     CHECK(at(falling, 0, 1).isApprox(Vector<2, double>(-normal[0], 0.0)));
 }
 
 TEST_CASE("a ball of water slides down a frictionless slope with g sin of its angle") {
-    CHECK(slide<2>(radians(30.0), 10, WallRule::separate) == doctest::Approx(1.0).epsilon(0.01));
-    CHECK(slide<2>(radians(-30.0), 10, WallRule::slip) == doctest::Approx(1.0).epsilon(0.01));
-    CHECK(slide<2>(radians(30.0), 20, WallRule::separate) == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(slide<2>(radians(30.0), 10) == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(slide<2>(radians(-30.0), 10) == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(slide<2>(radians(30.0), 20) == doctest::Approx(1.0).epsilon(0.01));
     for (const double angle : {7.0, 20.0, 45.0, 60.0}) {
         CAPTURE(angle);
-        CHECK(slide<2>(radians(angle), 10, WallRule::separate) == doctest::Approx(1.0).epsilon(0.01));
+        CHECK(slide<2>(radians(angle), 10) == doctest::Approx(1.0).epsilon(0.01));
     }
 }
 
 TEST_CASE("a sphere of water slides down a frictionless slope with g sin of its angle") {
-    CHECK(slide<3>(radians(30.0), 8, WallRule::separate) == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(slide<3>(radians(30.0), 8) == doctest::Approx(1.0).epsilon(0.01));
 }
 
 TEST_CASE("a pool in a valley stays where it is, whatever the slope and the cells it crosses") {
@@ -161,7 +161,7 @@ TEST_CASE("a pool in a valley stays where it is, whatever the slope and the cell
                 return point[1] < level && point[1] > height(point[0]);
             });
             start.bodies[0].surface = level;
-            start.parameters.boundaries.bed = make_bed<2>(cell, cells, WallRule::separate, height);
+            start.parameters.boundaries.bed = make_bed<2>(cell, cells, height);
             auto s = make_simulation<2, double>(start);
             const auto before = take_ledger(s);
             while (s.time < 2.0) advance(s, stable_time_step(s));
@@ -186,24 +186,22 @@ TEST_CASE("still water above a slope whose foot lies on the bottom wall stays st
     const double cell = 0.1, level = 1.0;
     const Index<2> cells{40, 16};
     for (const double foot : {2.0, 2.05}) {
-        for (const WallRule rule : {WallRule::separate, WallRule::slip}) {
-            CAPTURE(foot);
-            const auto height = [&](double x) { return std::max(0.0, 0.5 * (x - foot)); };
-            auto start = water_start<2>(cell, cells, 40.0, 0.3, [&](const auto& point) {
-                return point[1] < level && point[1] > height(point[0]);
-            });
-            start.bodies[0].surface = level;
-            start.parameters.boundaries.bed = make_bed<2>(cell, cells, rule, height);
-            auto s = make_simulation<2, double>(start);
-            double fastest = 0.0;
-            while (s.time < 2.0) {
-                advance(s, stable_time_step(s));
-                fastest = std::max(fastest, s.speeds.particle);
-            }
-            const auto after = take_ledger(s);
-            CHECK(fastest < 0.3);
-            CHECK(std::sqrt(2.0 * after.kinetic / after.mass) < 0.02);
+        CAPTURE(foot);
+        const auto height = [&](double x) { return std::max(0.0, 0.5 * (x - foot)); };
+        auto start = water_start<2>(cell, cells, 40.0, 0.3, [&](const auto& point) {
+            return point[1] < level && point[1] > height(point[0]);
+        });
+        start.bodies[0].surface = level;
+        start.parameters.boundaries.bed = make_bed<2>(cell, cells, height);
+        auto s = make_simulation<2, double>(start);
+        double fastest = 0.0;
+        while (s.time < 2.0) {
+            advance(s, stable_time_step(s));
+            fastest = std::max(fastest, s.speeds.particle);
         }
+        const auto after = take_ledger(s);
+        CHECK(fastest < 0.3);
+        CHECK(std::sqrt(2.0 * after.kinetic / after.mass) < 0.02);
     }
 }
 
@@ -215,7 +213,6 @@ TEST_CASE("a bed without heights, and one below all nodes, changes nothing") {
         return state_hash(s);
     };
     const auto plain = run();
-    start.parameters.boundaries.bed =
-        make_bed<2>(0.1, {20, 10}, WallRule::separate, [](double) { return -1.0; });
+    start.parameters.boundaries.bed = make_bed<2>(0.1, {20, 10}, [](double) { return -1.0; });
     CHECK(run() == plain);
 }

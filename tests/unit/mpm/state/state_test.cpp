@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/mixed_tank.h"
+#include "support/rough_ground.h"
 
 using namespace tidewater;
 using namespace tidewater::mpm;
@@ -101,7 +102,8 @@ void goes_on_the_same() {
     auto sponge = test::dropped_block_start<D>();
     const double level = sponge.bodies[0].surface;
     sponge.parameters.boundaries.sponge = {.from = 0.1, .width = 0.4, .rate = 100.0, .level = level};
-    for (const auto& start : {test::dropped_block_start<D>(), sponge, test::mixed_tank<D>()}) {
+    for (const auto& start :
+         {test::dropped_block_start<D>(), sponge, test::on_rough_ground(test::mixed_tank<D>())}) {
         CAPTURE(start.bodies.size());
         goes_on_the_same<D, float>(start);
         goes_on_the_same<D, double>(start);

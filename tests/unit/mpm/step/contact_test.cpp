@@ -98,7 +98,7 @@ TEST_CASE_TEMPLATE("bodies and nodes keep both momenta and lose energy, whatever
             return sum;
         };
         const double start_energy = energy();
-        resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts.wall_impulse);
+        resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts);
         const auto after = momenta(s);
         CHECK((after[0] - before[0]).norm() < 1e-11 * before[0].norm());
         CHECK((after[1] - before[1]).norm() < 1e-11 * before[1].norm());
@@ -118,7 +118,7 @@ TEST_CASE("nodes that slip keep what goes along the face, those that leave it al
     start.rigid[0].density = 1e9;  // does not yield
     auto s = make_simulation<2, double>(start);
     for (auto& node : s.grid.nodes) node.head<2>() = Eigen::Array2d(1.0, 0.3);  // to the right and up
-    resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts.wall_impulse);
+    resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts);
     const auto velocity_at = [&](int x, int z) {
         const Index<2> block{x / Block<2>::width + 2, z / Block<2>::width + 2};
         const auto found = std::ranges::find(s.grid.node_blocks, block_key<2>(block));
@@ -134,11 +134,11 @@ TEST_CASE("nodes that slip keep what goes along the face, those that leave it al
     // Friction holds what slips back by at most its coefficient times what pressed.
     s.rigid[0].friction = 0.1;
     for (auto& node : s.grid.nodes) node.head<2>() = Eigen::Array2d(1.0, 0.3);
-    resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts.wall_impulse);
+    resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts);
     CHECK(velocity_at(15, 15)[1] == doctest::Approx(0.2));
     s.rigid[0].friction = 0.5;
     for (auto& node : s.grid.nodes) node.head<2>() = Eigen::Array2d(1.0, 0.3);
-    resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts.wall_impulse);
+    resolve_contacts({.dt = 1e-3}, s.parameters.boundaries, s.grid, s.rigid, s.accounts);
     CHECK(std::abs(velocity_at(15, 15)[1]) < 1e-6);
 }
 
