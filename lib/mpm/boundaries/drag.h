@@ -4,15 +4,17 @@
 //     C = C_d              the coefficient, 0.002 to 0.005 over sand and mud (Soulsby 1997)
 //     C = g n²/h^(1/3)     by Manning's n, s/m^(1/3): 0.02 to 0.035 for natural beds (Chow 1959); h: depth, m
 //
-// u is the mean, by mass, of the water's nodes that the ground holds, and their part along it. τ acts on the
-// whole column of water above, which slows by the same Δu everywhere,
+// u is the part along the ground of the water's mean velocity, by mass, two to four cells above it: within two
+// cells the scheme itself slows water that should glide by up to a sixth (lib/mpm/README.md, Known errors).
+// Where there is less than a cell of water so high, it is that of all water below. τ acts on the whole column,
+// which slows by the same Δu everywhere,
 //
 //     Δu = u K/(1 + K),      K = C |u| Δt/(h n_z)
 //
 // (n_z: of the ground's normal; implicit, so that the flow never turns round). Real turbulence carries the
 // drag upward; water here has no mixing of its own, so that drag on the lowest nodes alone would only stop
-// a layer of a few cells, over which the rest would run ever faster. u at the ground, not the mean over
-// the column, is what short waves, which hardly reach the ground, are slowed by.
+// a layer of a few cells, over which the rest would run ever faster. u near the ground, not the mean over the
+// column, is what slows short waves, which hardly reach the ground.
 //
 // h is the mass of the column, ice included, over ρw and the column's plan area. Columns on the box's side
 // walls take the h of the next one inside. The front of a shelf has no drag.

@@ -7,25 +7,32 @@
 namespace tidewater::mpm {
 namespace {
 
+// The flow near the ground is that between these heights, cells.
+constexpr double near_from = 2.0, near_to = 4.0;
+
 // The ground at the foot of a column, and its drag.
 template <int D>
 struct Foot {
     Vector<D, double> normal = Vector<D, double>::Unit(D - 1);
-    double top = 0.0;  // m; nodes below this height are at the ground
+    double height = 0.0;  // m
     DragLaw law;
 };
 
 // What the nodes of a column sum up to.
 template <int D>
 struct ColumnSum {
-    double mass = 0.0;                                       // kg
-    double held = 0.0;                                       // kg, of water at the ground
-    Vector<D, double> momentum = Vector<D, double>::Zero();  // kg m/s, of that water
+    double mass = 0.0;                                  // kg
+    double low_mass = 0.0;                              // kg, of water less than near_from above the ground
+    double near_mass = 0.0;                             // kg, of water from there to near_to above it
+    Vector<D, double> low = Vector<D, double>::Zero();  // kg m/s, their momenta
+    Vector<D, double> near = Vector<D, double>::Zero();
 
     void add(const ColumnSum& other) {
         mass += other.mass;
-        held += other.held;
-        momentum += other.momentum;
+        low_mass += other.low_mass;
+        near_mass += other.near_mass;
+        low += other.low;
+        near += other.near;
     }
 };
 
@@ -35,12 +42,12 @@ Foot<D> foot_of(const Boundaries<D>& boundaries, const Layout<D>& layout, double
     const double cell = layout.cell_size;
     Foot<D> foot;
     if (boundaries.shelf.exists() && column[0] <= node_at_or_before(shelf_end, cell)) {
-        foot.top = boundaries.shelf.top + 0.5 * cell;
+        foot.height = boundaries.shelf.top;
         foot.law = boundaries.drag.shelf;
     } else if (boundaries.bed.exists() && boundaries.drag.bed.exists()) {
         const auto ground = boundaries.bed.ground(layout, column);
         foot.normal = ground.normal;
-        foot.top = ground.top;
+        foot.height = ground.height;
         foot.law = boundaries.drag.bed;
     }
     return foot;
@@ -97,10 +104,12 @@ std::vector<double> slow_columns(const Parameters<D>& parameters, const Boundary
             if (!place) continue;
             ColumnSum<D>& column = parts[m][static_cast<std::size_t>(n / Block<D>::width)];
             column.mass += mass;
-            if (layout.cell_size * at[D - 1] >= feet[*place].top) continue;
-            if (made_of.of(n, nodes[n]) != Material::water) continue;
-            column.held += mass;
-            column.momentum += mass * nodes[n].template head<D>().template cast<double>().matrix();
+            const double above = at[D - 1] - feet[*place].height / layout.cell_size;
+            if (above >= near_to || made_of.of(n, nodes[n]) != Material::water) continue;
+            const bool low = above < near_from;
+            (low ? column.low_mass : column.near_mass) += mass;
+            (low ? column.low : column.near) +=
+                mass * nodes[n].template head<D>().template cast<double>().matrix();
         }
     });
     std::vector<ColumnSum<D>> sums(columns.size());
@@ -117,7 +126,7 @@ std::vector<double> slow_columns(const Parameters<D>& parameters, const Boundary
     parallel_for(sums.size(), [&](std::size_t n) {
         const Foot<D>& foot = feet[n];
         const ColumnSum<D>& sum = sums[n];
-        if (!foot.law.exists() || !(sum.held > 0.0)) return;
+        if (!foot.law.exists() || !(sum.low_mass + sum.near_mass > 0.0)) return;
         const Index<D - 1> column = column_at(columns, n);
         Index<D - 1> inside = column;
         for (std::size_t axis = 0; axis + 1 < D; ++axis)
@@ -125,7 +134,11 @@ std::vector<double> slow_columns(const Parameters<D>& parameters, const Boundary
         const std::size_t next = *columns.place(inside);
         const double depth =
             std::max(sums[next].mass / (weight * width_of(layout, inside)), 1e-6 * layout.cell_size);
-        Vector<D, double> along = sum.momentum / sum.held;
+        const double of_cell = weight * layout.cell_size * width_of(layout, column);
+        Vector<D, double> along =
+            sum.near_mass >= of_cell
+                ? Vector<D, double>(sum.near / sum.near_mass)
+                : Vector<D, double>((sum.low + sum.near) / (sum.low_mass + sum.near_mass));
         along -= along.dot(foot.normal) * foot.normal;
         const double share = foot.law.at_depth(depth, parameters.gravity) * along.norm() * step.dt /
                              (depth * foot.normal[D - 1]);
