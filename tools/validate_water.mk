@@ -7,7 +7,8 @@
 # scene, also as PNG where rsvg-convert is installed, come from tidewater-validate-water.
 # Test: tests/pipeline/validate_water_test.sh
 
-SCENES ?= rest standing_wave standing_wave_long dispersion solitary_wave dam_break dam_break_pressure
+SCENES ?= rest standing_wave standing_wave_long dispersion solitary_wave dam_break dam_break_rough dam_break_rough_small \
+	dam_break_pressure
 LENGTHS ?= 12 6 4 3 2 1.5 1.2 1
 OUT ?= runs/validation
 BIN ?= build/bin

@@ -96,7 +96,7 @@ std::vector<std::string> ground_warnings(const Scene& scene, std::string_view se
 
 // A line that says how thick the layer of water becomes that `what` holds, or nothing in a scene without
 // water. After n transfers, which lose 0.024 (kΔx)⁴ of a velocity each, or 0.024² (kΔx)⁸ where velocities are
-// restored (lib/mpm/README.md, What a step loses), the layer is about δ = (0.024 n)^¼ Δx, or
+// restored (lib/mpm/README.md, Grid and transfer), the layer is about δ = (0.024 n)^¼ Δx, or
 // (0.024² n)^⅛ Δx, thick. n is reckoned from the fastest sound.
 std::string held_layer(const Scene& scene, const std::string& what);
 

@@ -97,7 +97,7 @@ RunState Checkpoint::load(const std::filesystem::path& path, mpm::Simulation<D, 
     RunState run;
     run.went_on = true;
     run.visit(io::ColumnReader(file, "/run"));
-    if (!file.array_names("/tally").empty()) run.tally.visit(io::ColumnReader(file, "/tally"));
+    run.tally.visit(io::ColumnReader(file, "/tally"));
     visit_state(simulation, io::ColumnReader(file, "/state"));
     if (!relink(simulation)) file.fail("its arrays do not fit each other or this build's blocks");
     require_frames(run, path);

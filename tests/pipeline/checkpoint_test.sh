@@ -164,8 +164,10 @@ truncate --size=-100 "$checkpoint"
 refuses "$checkpoint: it is truncated or no HDF5 file; --from start begins the run anew"
 cp stopped/simulate/frame_0000.hdf "$checkpoint"
 refuses "$checkpoint: it is an HDF5 file but no tidewater checkpoint; --from start begins the run anew"
-stopped_run format_version 7
-refuses "$checkpoint: its format version 7 is newer than this program's 6; --from start begins the run anew"
+stopped_run format_version 8
+refuses "$checkpoint: its format version 8 is newer than this program's 7; --from start begins the run anew"
+stopped_run format_version 6
+refuses "$checkpoint: its format version 6 is of a program whose ground acted by another rule; --from start begins the run anew"
 for array in particle_blocks body0.begin; do
     stopped_run "/state/$array" 5
     refuses "$checkpoint: its arrays do not fit each other"

@@ -33,7 +33,7 @@ for line in "bed: " "water: " "its front: at x = 100.0 m" "D/H = " "neutral is" 
 done
 
 case_named "without anything cut the volume is the outline's area"
-plain=(--set 'effects=["water", "ice", "bed"]' --set bed.wall=slip)
+plain=(--set 'effects=["water", "ice", "bed"]' --set bed.friction=0 --set bed.pore_pressure=0)
 sed '/^\[fracture\]/,/^cohesion/d' tiny_glacier.toml >plain.toml
 stage geometry plain.toml plain "${plain[@]}"
 expect_code 0
@@ -50,7 +50,7 @@ case_named "the particles have the mass of what was made"
 sed '/^\[water\]/,/^depth/d; /^gauges/d' plain.toml >dry.toml
 dry() { # FOLDER EFFECTS OPTION...
     for name in geometry simulate; do
-        stage "$name" dry.toml "$1" --set "effects=[\"ice\", \"bed\"$2]" --set bed.wall=slip --set simulate.end_time=0.01 \
+        stage "$name" dry.toml "$1" --set "effects=[\"ice\", \"bed\"$2]" --set bed.friction=0 --set bed.pore_pressure=0 --set simulate.end_time=0.01 \
             --set simulate.snapshot_interval=0.01 "${@:3}"
         expect_code 0
     done

@@ -132,6 +132,8 @@ Report report_front(const Run& run, const std::filesystem::path& data) {
     report.findings = {{run.name, "how much later their clock shows it", "√(a/2g)", 0.0, -shift, ""},
                        {run.name, "front, greatest difference after the shift", "%", 0.0,
                         100.0 * difference(simulated, published, shift).greatest, ""},
+                       {run.name, "front at the last mark, after the shift", "a", published.y.back(),
+                        at(simulated, published.x.back() + shift), "%"},
                        {run.name, "front, greatest difference as it is", "%", 0.0,
                         100.0 * difference(simulated, published, 0.0).greatest, ""},
                        {run.name, "speed of the front from t = 4 on", "√(2ga)", slope(published, middle, end),

@@ -27,7 +27,7 @@
 // Water glides along the ground and may part from it. What resists it is drag on its whole column
 // (mpm/boundaries/drag.h). Where a scene holds it, its nodes keep no velocity at all. That layer of held
 // water grows with the steps: after n transfers of Δx cells it is about δ = (0.024 n)^¼ Δx thick, by
-// the loss of the transfer (lib/mpm/README.md, What a step loses).
+// the loss of the transfer (lib/mpm/README.md, Grid and transfer).
 //
 // While ice and water share one velocity at a node, the node is ice if more than half of its mass is
 // (mpm/step/matter.h).

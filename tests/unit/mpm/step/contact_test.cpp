@@ -142,6 +142,44 @@ TEST_CASE("nodes that slip keep what goes along the face, those that leave it al
     CHECK(std::abs(velocity_at(15, 15)[1]) < 1e-6);
 }
 
+// The block stands in a stream; what drags it is ρ C_d u² on the two faces along the stream.
+TEST_CASE("drag along a block's faces is that of its area, and is booked") {
+    auto start = test::tank_start<2>(0.05, {60, 50}, 2.5, 20.0, 1.0, {1.0, 0.7});
+    start.parameters.gravity = 0.0;
+    start.rigid[0].contact = BodyContact::slip;
+    start.rigid[0].density = 1e9;  // does not yield
+    start.rigid[0].drag = 0.004;
+    double mean = 0.0;
+    constexpr int places = 8;
+    for (int n = 0; n < places; ++n) {  // of the faces between nodes
+        auto moved = start;
+        moved.rigid[0].center[1] += 0.05 * n / places;
+        auto s = make_simulation<2, double>(moved);
+        for (auto& node : s.grid.nodes) {
+            if (node[mass_lane] > 0.0) node[mass_lane] = 2.5;
+            // Presses gently on both faces, so that their nodes are in contact.
+            node.head<2>() = Eigen::Array2d(2.0, 0.0);
+        }
+        for (std::size_t slot = 0; slot < s.grid.node_blocks.size(); ++slot) {
+            for (int k = 0; k < Block<2>::nodes; ++k) {
+                const auto at = node_at(s.grid.layout, block_at<2>(s.grid.node_blocks[slot]), k);
+                s.grid.block_nodes(slot)[k][1] = 0.05 * at[1] > moved.rigid[0].center[1] ? -1e-9 : 1e-9;
+            }
+        }
+        auto free = s;
+        free.rigid[0].drag = 0.0;
+        const ContactStep step{
+            .dt = 1e-3, .force_dt = 1e-3, .gravity = 0.0, .water_density = 1000.0, .held = false};
+        resolve_contacts(step, s.parameters.boundaries, s.grid, s.rigid, s.accounts);
+        resolve_contacts(step, free.parameters.boundaries, free.grid, free.rigid, free.accounts);
+        mean += (s.rigid[0].water_impulse[0] - free.rigid[0].water_impulse[0]) / places;
+        CHECK(s.accounts.drag_work ==
+              doctest::Approx(-2.0 * (s.rigid[0].water_impulse[0] - free.rigid[0].water_impulse[0]))
+                  .epsilon(0.02));
+    }
+    CHECK(mean == doctest::Approx(1000.0 * 0.004 * 4.0 * 2.0 * 1.0 * 1e-3).epsilon(0.05));
+}
+
 TEST_CASE("a wall holds what presses on the other side of a body") {
     // At the left wall, pushed against it by the water: with the body's yielding counted alone the water
     // would follow it into the wall.
