@@ -79,6 +79,7 @@ std::string Range::text(std::string_view unit) const {
     std::string text;
     if (below) text = (open ? "above " : "at least ") + with_unit(number_text(min), unit);
     if (above) text += (below ? " and at most " : "at most ") + with_unit(number_text(max), unit);
+    if (infinite) text += ", or inf";
     return text;
 }
 

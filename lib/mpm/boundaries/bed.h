@@ -95,6 +95,7 @@ struct Bed {
         return {layout, *this, step.dt};
     }
 
+    bool tells_matter() const { return exists() && rule.tells_matter(); }
     bool replaces_left_wall() const { return false; }
     bool hides_fill(const Layout<D>&) const { return exists(); }
     // True where the ground reaches into the support of the node's spline.

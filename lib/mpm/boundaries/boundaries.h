@@ -106,7 +106,17 @@ using ActingBoundaries =
     decltype(acting_boundaries<D>(std::declval<const Layout<D>&>(), std::declval<const Boundaries<D>&>(),
                                   std::declval<const BoundaryStep&>()));
 
-// Whether any boundary treats ice and water of this block differently.
+// Whether any boundary treats ice and water differently.
+template <int D>
+bool tells_matter(const Boundaries<D>& boundaries) {
+    bool tells = false;
+    for_each_boundary(boundaries, [&](const auto& boundary) {
+        if constexpr (requires { boundary.tells_matter(); }) tells = tells || boundary.tells_matter();
+    });
+    return tells;
+}
+
+// Whether any boundary does so in this block.
 template <int D>
 bool tells_matter(const ActingBoundaries<D>& acting, const Index<D>& block);
 

@@ -4,10 +4,10 @@
 //     C = C_d              the coefficient, 0.002 to 0.005 over sand and mud (Soulsby 1997)
 //     C = g n²/h^(1/3)     by Manning's n, s/m^(1/3): 0.02 to 0.035 for natural beds (Chow 1959); h: depth, m
 //
-// u is the part along the ground of the water's mean velocity, by mass, two to four cells above it: within two
-// cells the scheme itself slows water that should glide by up to a sixth (lib/mpm/README.md, Known errors).
-// Where there is less than a cell of water so high, it is that of all water below. τ acts on the whole column,
-// which slows by the same Δu everywhere,
+// u is the part along the ground of the water's mean velocity, by mass, two to four cells above it: within
+// two cells the scheme itself slows water that should glide by up to a sixth (lib/mpm/README.md, Known
+// errors). Where there is less than a cell of water so high, it is that of all water below. τ acts on the
+// whole column, which slows by the same Δu everywhere,
 //
 //     Δu = u K/(1 + K),      K = C |u| Δt/(h n_z)
 //
@@ -93,6 +93,7 @@ struct Drag {
         return {Columns<D>(layout), exists(), step.slowing};
     }
 
+    bool tells_matter() const { return exists(); }
     bool replaces_left_wall() const { return false; }
     template <int D>
     bool hides_fill(const Layout<D>&) const {

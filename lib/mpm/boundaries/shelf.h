@@ -70,6 +70,7 @@ struct Shelf {
                 node_at_or_before(top, layout.cell_size)};
     }
 
+    bool tells_matter() const { return exists() && rule.tells_matter(); }
     bool replaces_left_wall() const { return false; }
     template <int D>
     bool hides_fill(const Layout<D>&) const {

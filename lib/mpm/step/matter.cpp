@@ -44,10 +44,10 @@ void scatter_ice(const std::vector<Particles<D, Real>>& bodies, const Grid<D, Re
 }  // namespace
 
 template <int D, class Real>
-NodeMatter<Real> find_matter(const ActingBoundaries<D>& acting, const Slots& slots,
+NodeMatter<Real> find_matter(const Boundaries<D>& boundaries, const BoundaryStep& step, const Slots& slots,
                              const std::vector<Particles<D, Real>>& bodies, const Grid<D, Real>& grid) {
     NodeMatter<Real> matter;
-    if (!has(bodies, Material::ice)) return matter;
+    if (!tells_matter(boundaries) || !has(bodies, Material::ice)) return matter;
     if (!has(bodies, Material::water)) {
         matter.everywhere = Material::ice;
         return matter;
@@ -57,6 +57,7 @@ NodeMatter<Real> find_matter(const ActingBoundaries<D>& acting, const Slots& slo
         ice[slot] = holds(bodies, Material::ice, slot);
         water[slot] = holds(bodies, Material::water, slot);
     });
+    const ActingBoundaries<D> acting = acting_boundaries(grid.layout, boundaries, step);
     matter.nodes_per_block = Block<D>::nodes;
     matter.of_block.assign(grid.node_blocks.size(), Material::water);
     matter.mixed.assign(grid.node_blocks.size(), -1);
@@ -100,8 +101,8 @@ NodeMatter<Real> find_matter(const ActingBoundaries<D>& acting, const Slots& slo
     return matter;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                              \
-    template NodeMatter<Real> find_matter(const ActingBoundaries<D>&, const Slots&, \
+#define TIDEWATER_INSTANTIATE(D, Real)                                                             \
+    template NodeMatter<Real> find_matter(const Boundaries<D>&, const BoundaryStep&, const Slots&, \
                                           const std::vector<Particles<D, Real>>&, const Grid<D, Real>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 

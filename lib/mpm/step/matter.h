@@ -31,9 +31,9 @@ struct NodeMatter {
 };
 
 // The matter of the nodes in `slots`, from the particles where they are now. What it says of nodes for which
-// no boundary of `acting` tells ice and water apart is not to be used.
+// no boundary tells ice and water apart is not to be used.
 template <int D, class Real>
-NodeMatter<Real> find_matter(const ActingBoundaries<D>& acting, const Slots& slots,
+NodeMatter<Real> find_matter(const Boundaries<D>& boundaries, const BoundaryStep& step, const Slots& slots,
                              const std::vector<Particles<D, Real>>& bodies, const Grid<D, Real>& grid);
 
 }  // namespace tidewater::mpm

@@ -90,8 +90,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
 
     const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
     BoundaryStep step = boundary_step(boundaries, interval, next_dt);
-    const NodeMatter<Real> matter =
-        find_matter(acting_boundaries(s.grid.layout, boundaries, step), blocks.nodes, s.bodies, s.grid);
+    const NodeMatter<Real> matter = find_matter(boundaries, step, blocks.nodes, s.bodies, s.grid);
     const bool twice = s.parameters.transfer == Transfer::restored;
     std::vector<float> grip;
     if (twice && rubs(boundaries)) grip.resize(s.grid.nodes.size());

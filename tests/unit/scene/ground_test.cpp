@@ -44,7 +44,8 @@ bool any_holds(const std::vector<std::string>& lines, const std::string& part) {
 TEST_CASE("friction and drag take inf, and no other key does") {
     CHECK(std::isinf(read_text_as_scene(flume_scene, {"bed.friction=inf"}).bed.ground.friction));
     CHECK(std::isinf(read_text_as_scene(flume_scene, {"bed.drag=inf"}).bed.ground.drag));
-    tells(flume_scene, {"bed.friction=-inf"}, "is out of range; it must be a finite number at least 0");
+    tells(flume_scene, {"bed.friction=-inf"},
+          "is out of range; it must be a finite number at least 0, or inf");
     tells(flume_scene, {"bed.friction=nan"}, "is out of range");
     tells(flume_scene, {"bed.manning=inf"}, "is out of range");
     const Scene scene = read_text_as_scene(flume_scene, {"bed.friction=inf"});

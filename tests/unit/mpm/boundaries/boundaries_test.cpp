@@ -102,6 +102,31 @@ TEST_CASE(
         at(act(1.0, 1.0), 6, 4).isApprox(Node<double>(1.0, 1.0, 0.0, 2.0)));  // the edge lets go all the same
 }
 
+TEST_CASE("a shelf's top rubs ice and lets water glide, unless it is to hold it") {
+    const Layout<2> layout{1.0, {32, 32}};
+    Boundaries<2> boundaries;
+    boundaries.shelf.end = 6.0;
+    boundaries.shelf.top = 4.0;
+    boundaries.shelf.rule.ice.friction = 0.5;
+    const auto act = [&](Material matter) {
+        std::vector<Node<double>> nodes(Block<2>::nodes, Node<double>(3.0, -2.0, 0.0, 2.0));
+        BoundaryStep step;
+        step.time = 0.0;
+        const auto acting = acting_boundaries(layout, boundaries, step);
+        CHECK(tells_matter<2>(acting, {2, 2}));
+        CHECK_FALSE(tells_matter<2>(acting, {3, 2}));
+        const auto action = apply_boundaries<2, double>(
+            layout, acting, {2, 2}, {.all = matter, .ice = nullptr}, nullptr, nodes.data());
+        CHECK((action.friction_work < 0.0) == (matter == Material::ice));
+        return Vector<2, double>(at(nodes, 3, 4).head<2>().matrix());
+    };
+    CHECK(act(Material::ice).isApprox(Vector<2, double>(2.0, 0.0)));
+    CHECK(act(Material::water).isApprox(Vector<2, double>(3.0, 0.0)));
+    boundaries.shelf.rule.holds_water = true;
+    CHECK(act(Material::water).isZero());
+    CHECK(act(Material::ice).isApprox(Vector<2, double>(2.0, 0.0)));
+}
+
 TEST_CASE("a shelf that retreats lets go of one column of nodes after the other") {
     const Layout<2> layout{1.0, {32, 32}};
     Boundaries<2> boundaries;

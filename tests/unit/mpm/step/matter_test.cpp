@@ -41,8 +41,8 @@ std::pair<double, double> masses_at(const Simulation<D, double>& s, const Index<
 
 template <int D>
 NodeMatter<double> matter_of(const Simulation<D, double>& s) {
-    const auto acting = acting_boundaries(s.grid.layout, s.parameters.boundaries, BoundaryStep{});
-    return find_matter<D, double>(acting, Slots::all(s.grid.node_blocks.size()), s.bodies, s.grid);
+    return find_matter<D, double>(s.parameters.boundaries, BoundaryStep{},
+                                  Slots::all(s.grid.node_blocks.size()), s.bodies, s.grid);
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ TEST_CASE_TEMPLATE("a node is ice where more than half of its mass is", Dimensio
 
 TEST_CASE("where nothing tells ice and water apart, no mass of ice is summed") {
     auto plain = make_simulation<2, double>(test::mixed_tank<2>());
-    CHECK(matter_of(plain).ice.empty());
+    CHECK(matter_of(plain).of_block.empty());
     auto only_water =
         make_simulation<2, double>(test::on_rough_ground(test::tank_start<2>(0.1, {20, 10}, 0.5, 30.0)));
     const auto matter = matter_of(only_water);
