@@ -52,6 +52,17 @@ expect_line "Momentum along z is open by"
 expect_no_line "Momentum along x"
 expect_line "Mass drifts by"
 
+case_named "water that a wall holds is warned of before the run, in its log, its facts and its report, with the layer against the depth"
+held=(--set domain.wall_bottom=stick)
+run "$bin/tidewater-geometry" tiny.toml --run held "${held[@]}"
+expect_line "domain.wall_bottom = \"stick\": holds the water, in a layer that grows with each step: about "
+run "$bin/tidewater-simulate" tiny.toml --run held "${held[@]}"
+expect_line "domain.wall_bottom = \"stick\": holds the water"
+run cat held/simulate/run.json
+expect_line "holds the water"
+report held "${held[@]}"
+expect_line " m thick after "
+
 case_named "a run that was stopped is warned of"
 cp -r run stopped
 rm stopped/simulate/frame_000[12].hdf stopped/simulate/frame.hdf.series

@@ -1,12 +1,15 @@
 #include "mpm/boundaries/ground.h"
 
 #include <cmath>
-#include <limits>
 
 #include "mpm/base/instantiate.h"
 
 namespace tidewater::mpm {
 namespace {
+
+// Of the mass of ice that fills a node's room, from which on the node counts as covered: within a body the
+// masses of nodes at the ground scatter by a tenth.
+constexpr double full_share = 0.9;
 
 // Newton's method for a convex, rising f from a start at or above its root: the steps go down to the root.
 template <class Step>
@@ -45,6 +48,30 @@ double weertman_speed(const Sliding& law, double speed, double viscous) {
     return std::pow(w, q);
 }
 
+// What resists the ice of a node, as sliding_speed takes it.
+struct Resistance {
+    double grip = 0.0, viscous = 0.0;  // m/s
+};
+
+//     mass     kg, of the node
+//     pressed  N Δt/m, m/s; below 0 where the node leaves the ground
+//     left     m/s, what the step's first meeting left of the grip
+template <int D>
+Resistance resistance_of(const GroundRule& rule, const Footing<D>& footing, double dt, double mass,
+                         double pressed, float left) {
+    const Sliding& law = rule.ice;
+    double area_dt = 0.0;  // A Δt/m
+    if (law.needs_area()) {
+        const double full = full_share * rule.ice_density * footing.room;
+        area_dt = footing.area * std::min(1.0, mass / full) * dt / mass;
+    }
+    const double sea = rule.sea_weight * std::max(rule.sea_level - footing.height, 0.0);
+    if (pressed > 0.0) pressed = std::max(pressed - law.pore_pressure * sea * area_dt, 0.0);
+    double grip = law.friction * pressed;
+    if (std::isinf(law.friction)) grip = pressed > 0.0 ? law.friction : 0.0;  // ∞ · 0 is no number
+    return {.grip = std::max(grip + static_cast<double>(left), 0.0), .viscous = law.weertman * area_dt};
+}
+
 }  // namespace
 
 double sliding_speed(const Sliding& law, double speed, double grip, double viscous) {
@@ -69,34 +96,25 @@ void meet_ground(const GroundRule& rule, const Footing<D>& footing, double dt, c
     const Real outward = n.dot(velocity.template head<D>().matrix());
     const bool leaves = outward >= Real(0) && !rule.holds_down;
     const bool rubs = at.matter == Material::ice && rule.ice.resists();
-    if (leaves && !(rubs && at.grip != nullptr && *at.grip > 0.0f)) return;
+    const bool gripped = at.grip != nullptr && *at.grip > 0.0f;
+    if (leaves && !(rubs && gripped)) return;
     if (!leaves) velocity.template head<D>() -= outward * n.array();
     if (!rubs) return;
 
-    const auto mass = static_cast<double>(velocity[mass_lane]);
-    double area_dt = 0.0;  // A Δt/m
-    if (rule.ice.needs_area())
-        area_dt = footing.area * std::min(1.0, mass / (rule.ice_density * footing.room)) * dt / mass;
-    const double head = rule.sea_weight * std::max(rule.sea_level - footing.height, 0.0);
-    double pressed = -static_cast<double>(outward);  // N_e Δt/m
-    if (pressed > 0.0) pressed = std::max(pressed - rule.ice.pore_pressure * head * area_dt, 0.0);
-    const double left_before = at.grip != nullptr ? static_cast<double>(*at.grip) : 0.0;
-    double grip = std::isinf(rule.ice.friction)
-                      ? (pressed > 0.0 ? std::numeric_limits<double>::infinity() : 0.0)
-                      : rule.ice.friction * pressed;
-    grip = std::max(grip + left_before, 0.0);
-    const Vector<D, double> along =
-        velocity.template head<D>().template cast<double>().matrix() -
-        (leaves ? static_cast<double>(outward) * footing.normal : Vector<D, double>::Zero().eval());
+    const Resistance resistance = resistance_of(rule, footing, dt, static_cast<double>(velocity[mass_lane]),
+                                                -static_cast<double>(outward), gripped ? *at.grip : 0.0f);
+    Vector<D, double> along = velocity.template head<D>().template cast<double>().matrix();
+    if (leaves) along -= static_cast<double>(outward) * footing.normal;
     const double speed = along.norm();
-    const double slower = sliding_speed(rule.ice, speed, grip, rule.ice.weertman * area_dt);
-    const double before = kinetic_energy_of<D>(velocity);
+    const double slower = sliding_speed(rule.ice, speed, resistance.grip, resistance.viscous);
     if (speed > 0.0) {
+        const double before = kinetic_energy_of<D>(velocity);
         velocity.template head<D>() -= ((1.0 - slower / speed) * along).template cast<Real>().array();
         action.friction_work += kinetic_energy_of<D>(velocity) - before;
     }
     const bool coulomb = rule.ice.friction > 0.0 && !(rule.ice.regular_speed > 0.0);
-    if (at.grip != nullptr && coulomb) *at.grip = static_cast<float>(std::max(grip - (speed - slower), 0.0));
+    if (at.grip != nullptr && coulomb)
+        *at.grip = static_cast<float>(std::max(resistance.grip - (speed - slower), 0.0));
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                                     \
