@@ -18,15 +18,14 @@ const char* limit_words(TimeStepLimit limit) {
 
 template <int D, class Real>
 std::string time_step_line(const mpm::Simulation<D, Real>& s) {
-    const auto& speeds = s.speeds;
+    const mpm::Signal& signal = s.speeds.signal;
     const double step = mpm::stable_time_step(s);
     const TimeStepLimit limit = time_step_limit(s);
     if (limit == TimeStepLimit::falling)
         return format("dt %.3g s, in which nothing moves or falls by more than 0.4 cells", step);
     return format("dt %.3g s = %g x %g m / (sound %.4g m/s + particles %.3g m/s), limited by %s (%.0f %%)",
-                  step, s.parameters.cfl, s.grid.layout.cell_size, speeds.sound, speeds.particle,
-                  limit_words(limit),
-                  100.0 * std::max(speeds.sound, speeds.particle) / (speeds.sound + speeds.particle));
+                  step, s.parameters.cfl, s.grid.layout.cell_size, signal.sound, signal.motion,
+                  limit_words(limit), 100.0 * std::max(signal.sound, signal.motion) / signal.speed());
 }
 
 // `time`, or the time of a schedule if it is one but for rounding.

@@ -17,6 +17,21 @@ namespace tidewater::mpm {
 template <int D, class Real>
 using Tile = std::array<Node<Real>, static_cast<std::size_t>(Block<D>::tile_size)>;
 
+// of ← max(of, |column|), particle by particle.
+template <class Real>
+void take_max_size(const Column<Real>& column, Column<Real>& of) {
+    for (int p = 0; p < batch_size; ++p) of[p] = std::max(of[p], std::abs(column[p]));
+}
+
+// The fastest of the particles of one block.
+struct BlockMotion {
+    double along = 0.0;  // m/s, max. |v| along an axis
+    double all = 0.0;    // m/s, max. √(|v|² + ¼ |Δx C|²), as max_motion has it
+};
+template <int D, class Real>
+BlockMotion motion_of_block(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies,
+                            std::size_t slot);
+
 // Calls visit(block slot, block, particle, velocity (m/s), velocity gradient Δx C (m/s)) for all particles.
 // Blocks are visited in parallel, the particles of each block in order.
 template <int D, class Real, class Visit>

@@ -42,10 +42,20 @@ struct Settling {
     double time = 0.0;    // s, since settling began
 };
 
+// How fast something crosses the cells of a block: c + v of its material, or of a rigid body.
+struct Signal {
+    double sound = 0.0;                   // c, m/s
+    double motion = 0.0;                  // v, m/s
+    Material material = Material::water;  // whose c it is
+
+    double speed() const { return sound + motion; }
+};
+
 // The speeds that limit the time step.
 struct Speeds {
     double particle = 0.0;  // m/s, max. |v| of nodes and rigid bodies
     double sound = 0.0;     // m/s, max. c of all materials; 0 without water and ice
+    Signal signal;          // that of the fastest block (mpm/step/time_step.h)
 };
 
 // The parts of a step whose wall time is measured.
@@ -64,7 +74,9 @@ struct Simulation {
     double dt = 0.0;    // s, of the following step; velocities already contain its forces
     long step = 0;      // number of steps so far
     Speeds speeds;
-    double drift = 0.0;  // cells, max. distance that a particle may have moved since the last sort
+    // [particle block] m/s, max. |v| of the nodes that its particles may feel; and cells, the longest way
+    // along an axis that one of them has moved since the last sort (mpm/step/sort.h).
+    std::vector<double> near_speed, drift;
     // [node block][node], not 0 where the filled share is unknown; empty if it is known everywhere
     // (mpm/step/crowding.h).
     std::vector<std::uint8_t> unknown_fill;

@@ -27,6 +27,12 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("step", s.step);
     visit("speeds.particle", s.speeds.particle);
     visit("speeds.sound", s.speeds.sound);
+    visit("signal.sound", s.speeds.signal.sound);
+    visit("signal.motion", s.speeds.signal.motion);
+    long material = static_cast<long>(s.speeds.signal.material);  // visitors take numbers only
+    visit("signal.material", material);
+    s.speeds.signal.material = static_cast<Material>(material);
+    visit("near_speed", s.near_speed);
     visit("drift", s.drift);
     visit("unknown_fill", s.unknown_fill);
     visit("wall_impulse", s.accounts.wall_impulse);
@@ -39,7 +45,7 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("outflow.energy", s.accounts.outflow.energy);
     visit("skimming.time", s.skimming.time);
     visit("skimming.due", s.skimming.due);
-    long going = s.settling.going ? 1 : 0;  // visitors take numbers only
+    long going = s.settling.going ? 1 : 0;
     visit("settling.going", going);
     s.settling.going = going != 0;
     visit("settling.stress", s.settling.stress);
@@ -97,6 +103,8 @@ bool relink(Simulation<D, Real>& s) {
     s.grid.nodes.clear();
     activate(s.grid, std::move(blocks));
     if (s.grid.nodes.size() != nodes.size()) return false;
+    const std::size_t count = s.grid.particle_blocks.size();
+    if (s.near_speed.size() != count || s.drift.size() != count) return false;
     s.grid.nodes = std::move(nodes);
     return true;
 }

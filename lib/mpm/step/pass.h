@@ -20,6 +20,7 @@ struct PassContext {
     Real cells_per_speed;  // Δt/Δx
     Real shift;            // shift of the rounding of positions (mpm/particles/position.h)
     MaterialSteps<D, Real> materials;
+    const Parameters<D>& parameters;
 
     PassContext(const Interval& interval, const Parameters<D>& parameters, double cell_size);
 };
@@ -29,6 +30,14 @@ template <int D>
 struct PassResult {
     Findings findings;
     Vector<D, double> impulse = Vector<D, double>::Zero();  // kg m/s, from walls that mirror
+    double motion = 0.0;                                    // m/s, max. |v| along an axis
+    Signal signal;                                          // c of its fastest material; no motion yet
+};
+
+// What a pass found in all blocks.
+struct PassFindings {
+    Findings all;
+    std::vector<Signal> of_block;  // [particle block] c of its fastest material; no motion yet
 };
 
 // Advances the particles of block `slot` with the velocities in `from`, and writes their mass and momentum,
@@ -48,11 +57,13 @@ PassResult<D> pass_over_block(const PassContext<D, Real>& context, std::size_t s
 //     rigid, unknown_fill  as in Simulation; read for the crowding of water
 //     grid                 reads the nodes, writes the tiles of the slots
 //     bodies               position and strain of the slots' particles advance
+//     drift                [particle block] adds the longest way of a particle along an axis, cells
 //     wall_impulse         adds what walls that mirror gave, kg m/s, in the order of the slots
 template <int D, class Real>
-Findings pass_over_blocks(const Interval& interval, const Parameters<D>& parameters, const Slots& slots,
-                          const std::vector<RigidBody>& rigid, const std::vector<std::uint8_t>& unknown_fill,
-                          Grid<D, Real>& grid, std::vector<Particles<D, Real>>& bodies,
-                          Vector<D, double>& wall_impulse);
+PassFindings pass_over_blocks(const Interval& interval, const Parameters<D>& parameters, const Slots& slots,
+                              const std::vector<RigidBody>& rigid,
+                              const std::vector<std::uint8_t>& unknown_fill, Grid<D, Real>& grid,
+                              std::vector<Particles<D, Real>>& bodies, std::vector<double>& drift,
+                              Vector<D, double>& wall_impulse);
 
 }  // namespace tidewater::mpm

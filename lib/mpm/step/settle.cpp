@@ -1,5 +1,6 @@
 #include "mpm/step/settle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,6 +48,9 @@ template <int D, class Real>
 void stop_everything(Simulation<D, Real>& s) {
     for (auto& node : s.grid.nodes) node.template head<3>().setZero();
     s.speeds.particle = 0.0;
+    s.speeds.signal.sound = s.speeds.sound;
+    s.speeds.signal.motion = 0.0;
+    std::ranges::fill(s.near_speed, 0.0);
 }
 
 template <int D, class Real>

@@ -1,5 +1,10 @@
 // Sorts particles into the blocks in which they are now, when one might leave its block's margin.
 //
+// Each block keeps how far its fastest particle has come since the last sort, its drift, from the true motion
+// of every pass. Whether the step at hand could carry one beyond the margin is asked of the nodes' speeds
+// first; a node at the rim of a lone particle's stencil has almost none of its mass and may be several times
+// as fast, so where the nodes say yes the block's own particles are asked.
+//
 // Before that, outlets and sponges drain their water (mpm/step/drain.h, mpm/step/skim.h), except while the
 // scene settles. Afterwards the nodes with unknown fill are found anew (mpm/step/crowding.h).
 //
@@ -11,18 +16,18 @@
 
 namespace tidewater::mpm {
 
-// Sorts, if the motion of the step at hand, added to the drift, could pass sorting_margin.
-//     node_speed         max. |v| of nodes and rigid bodies, m/s
-//     grid, bodies       reads velocities and positions; a sort writes blocks and the order of particles
+// Sorts, if the motion of the step at hand, added to a block's drift, would pass sorting_margin.
+//     near_speed         [particle block] as in Simulation, m/s; of no use after a sort until it is found
+//     anew grid, bodies       reads velocities and positions; a sort writes blocks and the order of particles
 //     unknown_fill       as in Simulation; a sort writes it
-//     drift              cells that a particle may have moved since the last sort; adds those of this step
+//     drift              as in Simulation; a sort sets it to 0
 //     skimming, outflow  accounts of the water that is drained
-// Throws a NumericsError if something would move by more than sorting_margin in this step, or if a particle
-// has left the tank.
+// Returns whether it sorted. Throws a NumericsError if something would move by more than sorting_margin in
+// this step, or if a particle has left the tank.
 template <int D, class Real>
-void sort_if_needed(const Interval& interval, const Parameters<D>& parameters, double node_speed,
-                    Grid<D, Real>& grid, std::vector<Particles<D, Real>>& bodies,
-                    std::vector<std::uint8_t>& unknown_fill, double& drift, Skimming& skimming,
-                    Outflow<D>& outflow);
+bool sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
+                    const std::vector<double>& near_speed, Grid<D, Real>& grid,
+                    std::vector<Particles<D, Real>>& bodies, std::vector<std::uint8_t>& unknown_fill,
+                    std::vector<double>& drift, Skimming& skimming, Outflow<D>& outflow);
 
 }  // namespace tidewater::mpm

@@ -87,10 +87,11 @@ void fill_columns(const Start<D>& start, const typename Start<D>::Body& body, co
         weaken(start.parameters.ice, body.strength, particles);
 }
 
-// Brings the start's velocities to the nodes and finds their max. speed.
+// Brings the start's velocities to the nodes and returns max. |v| of each block of nodes, m/s.
 template <int D, class Real>
-void scatter_start(const Start<D>& start, const std::vector<const typename Start<D>::Body*>& bodies,
-                   Simulation<D, Real>& s) {
+std::vector<double> scatter_start(const Start<D>& start,
+                                  const std::vector<const typename Start<D>::Body*>& bodies,
+                                  Simulation<D, Real>& s) {
     parallel_for(s.grid.particle_blocks.size(), [&](std::size_t slot) {
         Node<Real>* tile = s.grid.tile(slot);
         std::fill_n(tile, Block<D>::tile_size, Node<Real>::Zero());
@@ -131,6 +132,20 @@ void scatter_start(const Start<D>& start, const std::vector<const typename Start
         if (!std::isfinite(speed)) throw NumericsError("a velocity of the start is not a number");
         s.speeds.particle = std::max(s.speeds.particle, speed);
     }
+    return max_of_block;
+}
+
+// The max. c of all materials, and whose it is.
+template <int D, class Real>
+Signal fastest_sound(const Simulation<D, Real>& s, const Findings& findings) {
+    Signal fastest;
+    for (const auto& particles : s.bodies) {
+        with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
+            const double sound = M::sound_speed(M::model(s.parameters), findings);
+            if (sound > fastest.sound) fastest = {.sound = sound, .motion = 0.0, .material = M::material};
+        });
+    }
+    return fastest;
 }
 
 }  // namespace
@@ -160,11 +175,15 @@ Simulation<D, Real> make_simulation(Start<D> start) {
     s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings);
     place<D, Real>(points, s.grid, s.bodies);
     s.unknown_fill = find_unknown_fill(s.parameters, s.time, s.grid, s.bodies);
-    scatter_start(start, bodies, s);
+    const std::vector<double> node_speed = scatter_start(start, bodies, s);
     for (const RigidStart<D>& body : start.rigid) {
         s.rigid.push_back(make_rigid_body(body, start.cell_size));
         s.speeds.particle = std::max(s.speeds.particle, max_speed(s.rigid.back()));
     }
+    // The sound of each block is known from the first pass on.
+    const std::vector<Signal> of_block(s.grid.particle_blocks.size(), fastest_sound(s, findings));
+    s.drift.assign(of_block.size(), 0.0);
+    s.speeds.signal = find_signal(s.grid, node_speed, of_block, s.rigid, s.near_speed);
     return s;
 }
 

@@ -34,22 +34,23 @@ private:
     Clock::time_point last_ = Clock::now();
 };
 
-// Books what the boundaries did, block by block in order, and returns max. |v| of the nodes, m/s. Throws
-// NumericsError if a velocity is not finite.
+// Books what the boundaries did, block by block in order, and returns max. |v| of each block of nodes, m/s.
+// Throws NumericsError if a velocity is not finite.
 template <int D, class Real>
-double book_boundaries(const Interval& interval, const Simulation<D, Real>& s,
-                       const std::vector<NodeResult<D>>& results, const Slots& slots, Accounts<D>& accounts) {
-    double max2 = 0.0;
+std::vector<double> book_boundaries(const Interval& interval, const Simulation<D, Real>& s,
+                                    const std::vector<NodeResult<D>>& results, const Slots& slots,
+                                    Accounts<D>& accounts) {
+    std::vector<double> node_speed(s.grid.node_blocks.size(), 0.0);
     for (std::size_t n = 0; n < results.size(); ++n) {
         if (!std::isfinite(results[n].max_speed2))
             fail_at_bad_node(interval, s.parameters, s.grid, s.bodies, slots[n]);
-        max2 = std::max(max2, results[n].max_speed2);
+        node_speed[slots[n]] = std::sqrt(results[n].max_speed2);
         accounts.wall_impulse += results[n].action.impulse;
         accounts.boundary_work += results[n].action.work;
         accounts.friction_work += results[n].action.friction_work;
         accounts.drag_work += results[n].action.drag_work;
     }
-    return std::sqrt(max2);
+    return node_speed;
 }
 
 // Adds gravity's impulse (kg m/s) on particles and rigid bodies over next_dt (s).
@@ -71,15 +72,15 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     Vector<D, double>& wall_impulse = s.accounts.wall_impulse;
     PhaseClock clock(s.seconds);
 
-    sort_if_needed(interval, s.parameters, s.speeds.particle, s.grid, s.bodies, s.unknown_fill, s.drift,
+    sort_if_needed(interval, s.parameters, s.near_speed, s.grid, s.bodies, s.unknown_fill, s.drift,
                    s.skimming, s.accounts.outflow);
     clock.charge(Phase::sort);
 
     // With several rates, only the blocks that are due would be listed here.
     const StepBlocks blocks = all_blocks(s.grid);
-    const Findings findings = pass_over_blocks(interval, s.parameters, blocks.particles, s.rigid,
-                                               s.unknown_fill, s.grid, s.bodies, wall_impulse);
-    s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings);
+    const PassFindings findings = pass_over_blocks(interval, s.parameters, blocks.particles, s.rigid,
+                                                   s.unknown_fill, s.grid, s.bodies, s.drift, wall_impulse);
+    s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings.all);
     if (!interval.settling) {
         for (RigidBody& body : s.rigid) move_rigid_body(interval.dt, body);  // the pass reads the old place
     }
@@ -95,13 +96,14 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     std::vector<float> grip;
     if (twice && rubs(boundaries)) grip.resize(s.grid.nodes.size());
     std::vector<NodeResult<D>> results(blocks.nodes.size());
+    std::vector<double> node_speed;  // [node block] m/s
     const auto bound = [&](const ActingBoundaries<D>& by, std::size_t n) {
         results[n] = bound_velocities<D, Real>(by, matter, blocks.nodes[n], grip, s.grid);
     };
     const auto bound_all = [&] {
         const auto acting = acting_boundaries(s.grid.layout, boundaries, step);
         parallel_for(blocks.nodes.size(), [&](std::size_t n) { bound(acting, n); });
-        s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
+        node_speed = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
     };
     ContactStep contact{.dt = next_dt,
                         .force_dt = next_dt,
@@ -115,7 +117,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
             sum_momenta(kick, blocks.nodes[n], s.grid);
             bound(acting, n);
         });
-        s.speeds.particle = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
+        node_speed = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
     } else {
         for_each_slot(blocks.nodes, [&](std::size_t slot) { sum_momenta(kick, slot, s.grid); });
         clock.charge(Phase::grid);
@@ -139,7 +141,10 @@ void advance(Simulation<D, Real>& s, double next_dt) {
 
     add_unfolding_impulse(blocks.particles, s.grid, wall_impulse);
     book_gravity(s, next_dt, s.accounts.gravity_impulse);
+    s.speeds.particle = 0.0;
+    for (const double speed : node_speed) s.speeds.particle = std::max(s.speeds.particle, speed);
     for (const RigidBody& body : s.rigid) s.speeds.particle = std::max(s.speeds.particle, max_speed(body));
+    s.speeds.signal = find_signal(s.grid, node_speed, findings.of_block, s.rigid, s.near_speed);
     clock.charge(Phase::grid);
 
     s.time += s.dt;

@@ -27,7 +27,8 @@ Simulation<D, float> moving_tank() {
 template <int D>
 Findings pass(const Slots& slots, Simulation<D, float>& s) {
     return pass_over_blocks(s.interval(s.dt), s.parameters, slots, s.rigid, s.unknown_fill, s.grid, s.bodies,
-                            s.accounts.wall_impulse);
+                            s.drift, s.accounts.wall_impulse)
+        .all;
 }
 
 template <int D>
