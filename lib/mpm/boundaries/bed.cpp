@@ -7,18 +7,21 @@
 #include "mpm/base/instantiate.h"
 
 namespace tidewater::mpm {
+namespace {
+
 template <int D>
-typename Bed<D>::Ground Bed<D>::ground(const Layout<D>& layout, const Index<across>& column) const {
+typename Bed<D>::Ground find_ground(const Bed<D>& bed, const Layout<D>& layout, const Index<D - 1>& column) {
+    constexpr int across = D - 1;
     const double cell = layout.cell_size;
     Vector<across, double> place;
     for (int axis = 0; axis < across; ++axis) {
         place[axis] = cell * column[static_cast<std::size_t>(axis)];
     }
-    const Vector<across, double> rise = slope(place, cell);
+    const Vector<across, double> rise = bed.slope(place, cell);
     const double steepness = std::sqrt(1.0 + rise.squaredNorm());
-    Ground ground;
+    typename Bed<D>::Ground ground;
     ground.normal << -rise, 1.0;
-    ground.height = height(place);
+    ground.height = bed.height(place);
     ground.top = ground.height + wall_reach * cell * steepness;
     ground.area = steepness;
     for (std::size_t axis = 0; axis < across; ++axis) {
@@ -27,7 +30,7 @@ typename Bed<D>::Ground Bed<D>::ground(const Layout<D>& layout, const Index<acro
         ground.area *= inside ? cell : 0.5 * cell;
     }
     ground.normal.normalize();
-    if (rule.ice.needs_area()) {
+    if (bed.rule.ice.needs_area()) {
         double held = 0.0;
         const int nearest = static_cast<int>(std::lround(ground.height / cell));
         for (int node = nearest - 2; cell * node < ground.top && node <= nearest + 2; ++node) {
@@ -37,6 +40,27 @@ typename Bed<D>::Ground Bed<D>::ground(const Layout<D>& layout, const Index<acro
         ground.area /= held;
     }
     return ground;
+}
+
+}  // namespace
+
+template <int D>
+typename Bed<D>::Ground Bed<D>::ground(const Layout<D>& layout, const Index<across>& column) const {
+    if (!grounds.empty()) {
+        if (const auto kept = Columns<D>(layout).place(column)) return grounds[*kept];
+    }
+    return find_ground(*this, layout, column);
+}
+
+template <int D>
+void Bed<D>::keep_grounds(const Layout<D>& layout) {
+    grounds.clear();
+    if (!exists()) return;
+    const Columns<D> columns(layout);
+    std::vector<Ground> all(columns.size());
+    columns.for_each(
+        [&](std::size_t n, const Index<across>& column) { all[n] = find_ground(*this, layout, column); });
+    grounds = std::move(all);
 }
 
 template <int D>

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/spline.h"
+#include "mpm/boundaries/columns.h"
 #include "mpm/boundaries/ground.h"
 
 namespace tidewater::mpm {
@@ -51,6 +52,10 @@ struct Bed {
         double room = 0.0;  // m³ (m²), of a node above the ground
     };
     Ground ground(const Layout<D>& layout, const Index<across>& column) const;
+    // Finds the grounds of all columns in the box once, so that steps need not; the bed must not change
+    // after.
+    void keep_grounds(const Layout<D>& layout);
+    std::vector<Ground> grounds;  // [column], by Columns<D>; empty: found when asked for
 
     // The ground under one block of nodes.
     struct UnderBlock {

@@ -23,6 +23,7 @@
 // Tests: tests/unit/mpm/step/slow_columns_test.cpp, tests/validation/ground_test.cpp.
 #pragma once
 
+#include "mpm/boundaries/columns.h"
 #include "mpm/boundaries/wall.h"
 
 namespace tidewater::mpm {
@@ -35,31 +36,6 @@ struct DragLaw {
     bool exists() const { return coefficient > 0.0 || manning > 0.0; }
     double at_depth(double depth, double gravity) const {  // C
         return manning > 0.0 ? gravity * manning * manning / std::cbrt(depth) : coefficient;
-    }
-};
-
-// The number of columns of nodes in the box, and the place of one in a list of them.
-template <int D>
-struct Columns {
-    Index<D - 1> count{};
-
-    explicit Columns(const Layout<D>& layout) {
-        for (std::size_t axis = 0; axis + 1 < D; ++axis) count[axis] = layout.cells[axis] + 1;
-    }
-    std::size_t size() const {
-        std::size_t product = 1;
-        for (const int n : count) product *= static_cast<std::size_t>(n);
-        return product;
-    }
-    // The column of a node, or of its number along the horizontal axes; empty beyond the box.
-    template <std::size_t axes>
-    std::optional<std::size_t> place(const std::array<int, axes>& node) const {
-        std::size_t column = 0;
-        for (std::size_t axis = 0; axis + 1 < D; ++axis) {
-            if (node[axis] < 0 || node[axis] >= count[axis]) return {};
-            column = column * static_cast<std::size_t>(count[axis]) + static_cast<std::size_t>(node[axis]);
-        }
-        return column;
     }
 };
 

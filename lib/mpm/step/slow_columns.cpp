@@ -63,17 +63,6 @@ double width_of(const Layout<D>& layout, const Index<D - 1>& column) {
     return width;
 }
 
-template <int D>
-Index<D - 1> column_at(const Columns<D>& columns, std::size_t n) {
-    Index<D - 1> column;
-    for (std::size_t axis = D - 1; axis-- > 0;) {
-        const auto count = static_cast<std::size_t>(columns.count[axis]);
-        column[axis] = static_cast<int>(n % count);
-        n /= count;
-    }
-    return column;
-}
-
 }  // namespace
 
 template <int D, class Real>
@@ -85,9 +74,8 @@ std::vector<double> slow_columns(const Parameters<D>& parameters, const Boundary
     const Columns<D> columns(layout);
     const double shelf_end = boundaries.shelf.end_at(step.time.value_or(0.0));
     std::vector<Foot<D>> feet(columns.size());
-    parallel_for(feet.size(), [&](std::size_t n) {
-        feet[n] = foot_of(boundaries, layout, shelf_end, column_at(columns, n));
-    });
+    parallel_for(feet.size(),
+                 [&](std::size_t n) { feet[n] = foot_of(boundaries, layout, shelf_end, columns.at(n)); });
 
     constexpr int in_block = power(Block<D>::width, D - 1);
     std::vector<std::array<ColumnSum<D>, static_cast<std::size_t>(in_block)>> parts(slots.size());
@@ -127,7 +115,7 @@ std::vector<double> slow_columns(const Parameters<D>& parameters, const Boundary
         const Foot<D>& foot = feet[n];
         const ColumnSum<D>& sum = sums[n];
         if (!foot.law.exists() || !(sum.low_mass + sum.near_mass > 0.0)) return;
-        const Index<D - 1> column = column_at(columns, n);
+        const Index<D - 1> column = columns.at(n);
         Index<D - 1> inside = column;
         for (std::size_t axis = 0; axis + 1 < D; ++axis)
             inside[axis] = std::clamp(inside[axis], 1, std::max(layout.cells[axis] - 1, 1));

@@ -155,6 +155,7 @@ Simulation<D, Real> make_simulation(Start<D> start) {
     Simulation<D, Real> s;
     s.parameters = start.parameters;
     s.grid.layout = Layout<D>{start.cell_size, start.cells, mirrors_of(start.parameters.boundaries)};
+    s.parameters.boundaries.bed.keep_grounds(s.grid.layout);
     std::vector<const typename Start<D>::Body*> bodies;
     std::vector<std::span<const Vector<D, double>>> points;
     Findings findings;
