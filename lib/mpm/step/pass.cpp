@@ -38,11 +38,11 @@ double pass_particles(const PassContext<D, Real>& context, std::size_t slot, con
 }  // namespace
 
 template <int D, class Real>
-PassContext<D, Real>::PassContext(const Interval& interval, const Parameters<D>& parameters, double cell_size)
+PassContext<D, Real>::PassContext(const Interval& interval, const Parameters<D>& of_run, double cell_size)
     : cells_per_speed(static_cast<Real>(interval.dt / cell_size)),
       shift(static_cast<Real>(rounding_shift(interval.step))),
-      materials(parameters, cell_size, interval),
-      parameters(parameters) {}
+      materials(of_run, cell_size, interval),
+      parameters(of_run) {}
 
 template <int D, class Real>
 PassResult<D> pass_over_block(const PassContext<D, Real>& context, std::size_t slot, const Node<Real>* from,

@@ -22,7 +22,7 @@ struct PassContext {
     MaterialSteps<D, Real> materials;
     const Parameters<D>& parameters;
 
-    PassContext(const Interval& interval, const Parameters<D>& parameters, double cell_size);
+    PassContext(const Interval& interval, const Parameters<D>& of_run, double cell_size);
 };
 
 // What a pass over one block found.
