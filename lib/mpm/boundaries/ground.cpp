@@ -107,11 +107,9 @@ void meet_ground(const GroundRule& rule, const Footing<D>& footing, double dt, c
     if (leaves) along -= static_cast<double>(outward) * footing.normal;
     const double speed = along.norm();
     const double slower = sliding_speed(rule.ice, speed, resistance.grip, resistance.viscous);
-    if (speed > 0.0) {
-        const double before = kinetic_energy_of<D>(velocity);
+    if (speed > 0.0)
         velocity.template head<D>() -= ((1.0 - slower / speed) * along).template cast<Real>().array();
-        action.friction_work += kinetic_energy_of<D>(velocity) - before;
-    }
+    action.friction_work -= static_cast<double>(velocity[mass_lane]) * (speed - slower) * slower;
     const bool coulomb = rule.ice.friction > 0.0 && !(rule.ice.regular_speed > 0.0);
     if (at.grip != nullptr && coulomb)
         *at.grip = static_cast<float>(std::max(resistance.grip - (speed - slower), 0.0));

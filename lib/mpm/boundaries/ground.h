@@ -24,6 +24,10 @@
 // a body that slides is μ times the whole force that presses: on a plane slope its centre of mass
 // accelerates by g (sin α − μ cos α).
 //
+// The work of friction is its impulse times the speed u' that is left, with which places and strains advance: a
+// node that stands takes none, however its forces pull, and steady sliding −μ N_e u' a second. (The change
+// of kinetic energy, ½ m (u'² − u²), would book ½ m u² in each step that holds a node against a force.)
+//
 // Water glides along the ground and may part from it. What resists it is drag on its whole column
 // (mpm/boundaries/drag.h). Where a scene holds it, its nodes keep no velocity at all. That layer of held
 // water grows with the steps: after n transfers of Δx cells it is about δ = (0.024 n)^¼ Δx thick, by

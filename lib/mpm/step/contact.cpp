@@ -233,10 +233,10 @@ ContactImpulse move_nodes(const Vector6& motion, const RigidBody& body, const Co
         received.angular -= m.mass * m.arm.cross(change.across);
         received.along -= m.mass * along;
         received.along_angular -= m.mass * m.arm.cross(along);
-        // Impulse times the mean of the node's speed against the body, before and after.
-        const Eigen::Vector3d mean = 0.5 * along - (relative - change.across);
-        received.friction_work += m.mass * change.friction.dot(mean);
-        received.drag_work += m.mass * change.drag.dot(mean);
+        // Impulse times the node's speed against the body that is left (mpm/boundaries/ground.h).
+        const Eigen::Vector3d left = along - (relative - change.across);
+        received.friction_work += m.mass * change.friction.dot(left);
+        received.drag_work += m.mass * change.drag.dot(left);
         const Vector<D, double> velocity = drop<D>(m.velocity + change.across + along);
         nodes[m.node].template head<D>() = velocity.template cast<Real>().array();
     }

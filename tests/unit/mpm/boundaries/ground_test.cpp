@@ -77,8 +77,10 @@ TEST_CASE("ice rubs by its coefficient times what presses, water glides, and wha
     rule.ice = coulomb(0.25);
     const Met ice = meet(rule, Material::ice, 3.0, -4.0);
     CHECK(ice.velocity.isApprox(Vector<2, double>(2.0, 0.0)));
-    CHECK(ice.friction_work == doctest::Approx(0.5 * 2.0 * (4.0 - 9.0)));
-    CHECK(meet(rule, Material::ice, -0.5, -4.0).velocity.isZero());
+    CHECK(ice.friction_work == doctest::Approx(-2.0 * 1.0 * 2.0));  // impulse times the speed left
+    const Met held = meet(rule, Material::ice, -0.5, -4.0);
+    CHECK(held.velocity.isZero());
+    CHECK(held.friction_work == 0.0);  // what stands takes no work
     CHECK(meet(rule, Material::ice, 3.0, 0.5).velocity == Vector<2, double>(3.0, 0.5));
     const Met water = meet(rule, Material::water, 3.0, -4.0);
     CHECK(water.velocity == Vector<2, double>(3.0, 0.0));
