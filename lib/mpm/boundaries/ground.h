@@ -17,15 +17,15 @@
 //     λ    share of the sea's hydrostatic pressure p_w at the ground that carries the ice; 0: dry
 //     A    m² (m in 2D), the ground that the node stands for: the nodes of a column share that of their
 //          column, Δx^(D−1)/n_z, by the spline's values at the ground. A constant stress on the ground loads
-//          its nodes by just these shares. At the rim of a body A is less, by the node's mass over that of
-//          ice that filled the node's room above the ground
+//          its nodes by just these shares. At the rim of a body A is less, by the node's mass over nine
+//          tenths of that of ice that filled the node's room above the ground
 //
 // The law is solved for u' (implicit Euler), so that a small u is not thrown to and fro. Total friction on
 // a body that slides is μ times the whole force that presses: on a plane slope its centre of mass
 // accelerates by g (sin α − μ cos α).
 //
-// The work of friction is its impulse times the speed u' that is left, with which places and strains advance: a
-// node that stands takes none, however its forces pull, and steady sliding −μ N_e u' a second. (The change
+// The work of friction is its impulse times the speed u' that is left, with which places and strains advance:
+// a node that stands takes none, however its forces pull, and steady sliding −μ N_e u' a second. (The change
 // of kinetic energy, ½ m (u'² − u²), would book ½ m u² in each step that holds a node against a force.)
 //
 // Water glides along the ground and may part from it. What resists it is drag on its whole column
