@@ -39,7 +39,7 @@ void check_ground(Reading& reading, std::string_view section, const Ground& grou
     const std::string drag = key_of(section, "drag"), manning = key_of(section, "manning"),
                       friction = key_of(section, "friction");
     if (reading.usable({drag, manning}) && ground.drag > 0.0 && ground.manning > 0.0)
-        reading.report(manning, "and " + drag + " are two laws of one drag; remove one of them");
+        reading.report(manning, "is another law of the same drag than " + drag + "; remove one of them");
     const auto needs_friction = [&](const char* name, double value) {
         const std::string key = key_of(section, name);
         if (!reading.usable({key, friction}) || value == 0.0 || ground.friction > 0.0) return;

@@ -72,7 +72,8 @@ TEST_CASE("a retired wall still runs as what it is to be written as, and a line 
 }
 
 TEST_CASE("a ground takes one law of drag, and what friction alone reads needs friction") {
-    tells(flume_scene, {"bed.drag=0.003", "bed.manning=0.02"}, "two laws of one drag; remove one of them");
+    tells(flume_scene, {"bed.drag=0.003", "bed.manning=0.02"},
+          "is another law of the same drag than bed.drag; remove one of them");
     tells(flume_scene, {"bed.pore_pressure=1"}, "is not read without bed.friction; add it or remove");
     tells(flume_scene, {"bed.sliding_speed=300"}, "is not read without bed.friction; add it or remove");
     CHECK(problem(flume_scene, {"bed.friction=0.5", "bed.pore_pressure=1", "bed.manning=0.02"}) == "");
