@@ -101,7 +101,6 @@ struct Bed {
     }
 
     bool tells_matter() const { return exists() && rule.tells_matter(); }
-    bool replaces_left_wall() const { return false; }
     bool hides_fill(const Layout<D>&) const { return exists(); }
     // True where the ground reaches into the support of the node's spline.
     bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const;

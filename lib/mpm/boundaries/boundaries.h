@@ -6,9 +6,12 @@
 //         on(block)                          what it does in one block of nodes, as a pointer or optional
 //                                            that is empty where it does nothing: an object with
 //             act(at, velocity, action)          changes one node and adds the work that this takes
-//         account(action)                    optional: sets the work from the impulse given to a whole block
-//         tells_matter(block)                optional: whether it treats the block's ice and water
-//         differently
+//
+// and, where there is anything to say,
+//
+//         account(action)                    sets the work from the impulse given to a whole block
+//         tells_matter(block)                whether it treats this block's ice and water differently
+//     tells_matter()                     whether it does so anywhere
 //     replaces_left_wall()               whether it moves in from x = 0 in place of the wall
 //     hides_fill(layout)                 whether it leaves the fill of any node unknown (mpm/step/crowding.h)
 //     hides_fill_at(layout, time, node)  whether it leaves the fill of this node unknown
@@ -67,8 +70,10 @@ void for_each_boundary(const Boundaries<D>& boundaries, const Visit& visit) {
 template <int D>
 bool replaces_left_wall(const Boundaries<D>& boundaries) {
     bool replaced = false;
-    for_each_boundary(boundaries,
-                      [&](const auto& boundary) { replaced = replaced || boundary.replaces_left_wall(); });
+    for_each_boundary(boundaries, [&](const auto& boundary) {
+        if constexpr (requires { boundary.replaces_left_wall(); })
+            replaced = replaced || boundary.replaces_left_wall();
+    });
     return replaced;
 }
 

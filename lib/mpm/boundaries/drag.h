@@ -20,7 +20,8 @@
 // walls take the h of the next one inside. The front of a shelf has no drag.
 //
 // Source: Soulsby (1997), Dynamics of marine sands; Chow (1959), Open-channel hydraulics.
-// Tests: tests/unit/mpm/step/slow_columns_test.cpp, tests/validation/ground_test.cpp.
+// Tests: tests/unit/mpm/step/slow_columns_test.cpp, tests/validation/ground_test.cpp,
+// tests/validation/ground_wave_test.cpp.
 #pragma once
 
 #include "mpm/boundaries/columns.h"
@@ -70,15 +71,6 @@ struct Drag {
     }
 
     bool tells_matter() const { return exists(); }
-    bool replaces_left_wall() const { return false; }
-    template <int D>
-    bool hides_fill(const Layout<D>&) const {
-        return false;
-    }
-    template <int D>
-    bool hides_fill_at(const Layout<D>&, double, const Index<D>&) const {
-        return false;
-    }
 };
 
 }  // namespace tidewater::mpm

@@ -29,16 +29,6 @@ struct Outlet {
     Acting<D> acting(const Layout<D>&, const BoundaryStep&) const {
         return {};
     }
-
-    bool replaces_left_wall() const { return false; }
-    template <int D>
-    bool hides_fill(const Layout<D>&) const {
-        return false;
-    }
-    template <int D>
-    bool hides_fill_at(const Layout<D>&, double, const Index<D>&) const {
-        return false;
-    }
 };
 
 }  // namespace tidewater::mpm

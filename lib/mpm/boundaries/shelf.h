@@ -71,7 +71,6 @@ struct Shelf {
     }
 
     bool tells_matter() const { return exists() && rule.tells_matter(); }
-    bool replaces_left_wall() const { return false; }
     template <int D>
     bool hides_fill(const Layout<D>&) const {
         return exists();

@@ -51,16 +51,6 @@ struct Sponge {
     Acting<D> acting(const Layout<D>& layout, const BoundaryStep& step) const {
         return {layout, *this, step.dt};
     }
-
-    bool replaces_left_wall() const { return false; }
-    template <int D>
-    bool hides_fill(const Layout<D>&) const {
-        return false;
-    }
-    template <int D>
-    bool hides_fill_at(const Layout<D>&, double, const Index<D>&) const {
-        return false;
-    }
 };
 
 }  // namespace tidewater::mpm

@@ -36,7 +36,6 @@ struct Walls : std::array<std::array<WallRule, 2>, static_cast<std::size_t>(D)> 
         return {layout, *this, step.left_wall_moves};
     }
 
-    bool replaces_left_wall() const { return false; }
     // Only walls that do not mirror hide how full the nodes on them are (mpm/step/crowding.h).
     bool hides_fill(const Layout<D>& layout) const;
     bool hides_fill_at(const Layout<D>& layout, double time, const Index<D>& node) const;

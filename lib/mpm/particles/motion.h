@@ -23,10 +23,13 @@ void take_max_size(const Column<Real>& column, Column<Real>& of) {
     for (int p = 0; p < batch_size; ++p) of[p] = std::max(of[p], std::abs(column[p]));
 }
 
-// The fastest of the particles of one block.
+// The fastest of the particles of one block. By Bessel's inequality (1 and 2 (x_i − x_p)/Δx are orthonormal
+// under the weights) √(|v|² + ¼ |Δx C|²) is at most √(Σ w |v_i|²). So it never exceeds the speed of the
+// fastest node, and it is far smaller where that node has only a tiny share of a particle's mass. While it is
+// below Δx/(2Δt), no particle moves half a cell, and |Δt C| < 1, so that no volume is turned inside out.
 struct BlockMotion {
     double along = 0.0;  // m/s, max. |v| along an axis
-    double all = 0.0;    // m/s, max. √(|v|² + ¼ |Δx C|²), as max_motion has it
+    double all = 0.0;    // m/s, max. √(|v|² + ¼ |Δx C|²)
 };
 template <int D, class Real>
 BlockMotion motion_of_block(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies,
@@ -48,24 +51,6 @@ void for_each_motion(const Grid<D, Real>& grid, const Particles<D, Real>& partic
             visit(slot, block, p, velocity, gradient);
         }
     });
-}
-
-// The maximum of √(|v_p|² + ¼ |Δx C_p|²) over a body's particles, m/s. By Bessel's inequality (1 and
-// 2 (x_i − x_p)/Δx are orthonormal under the weights) it is at most √(Σ w |v_i|²). So it never exceeds the
-// speed of the fastest node, and it is far smaller where that node has only a tiny share of a particle's
-// mass. While it is below Δx/(2Δt), no particle moves half a cell, and |Δt C| < 1, so that no volume is
-// turned inside out.
-template <int D, class Real>
-double max_motion(const Grid<D, Real>& grid, const Particles<D, Real>& particles) {
-    std::vector<double> max2_of_block(grid.particle_blocks.size());
-    for_each_motion(grid, particles,
-                    [&](std::size_t slot, const Index<D>&, std::size_t, const auto& v, const auto& g) {
-                        const auto motion2 = static_cast<double>(v.squaredNorm() + g.squaredNorm() / Real(4));
-                        max2_of_block[slot] = std::max(max2_of_block[slot], motion2);
-                    });
-    double max2 = 0.0;
-    for (const double motion2 : max2_of_block) max2 = std::max(max2, motion2);
-    return std::sqrt(max2);
 }
 
 }  // namespace tidewater::mpm

@@ -155,8 +155,10 @@ template <int D, class Real>
 bool may_be_unknown(const Boundaries<D>& boundaries, const Layout<D>& layout,
                     const std::vector<Particles<D, Real>>& bodies) {
     bool unknown = false;
-    for_each_boundary(boundaries,
-                      [&](const auto& boundary) { unknown = unknown || boundary.hides_fill(layout); });
+    for_each_boundary(boundaries, [&](const auto& boundary) {
+        if constexpr (requires { boundary.hides_fill(layout); })
+            unknown = unknown || boundary.hides_fill(layout);
+    });
     for (const auto& particles : bodies) unknown = unknown || particles.material != Material::water;
     return unknown;
 }
@@ -212,7 +214,8 @@ std::vector<std::uint8_t> find_unknown_fill(const Parameters<D>& parameters, dou
             const Index<D> node = node_at(grid.layout, block, n);
             bool hidden = false;
             for_each_boundary(boundaries, [&](const auto& boundary) {
-                hidden = hidden || boundary.hides_fill_at(grid.layout, time, node);
+                if constexpr (requires { boundary.hides_fill_at(grid.layout, time, node); })
+                    hidden = hidden || boundary.hides_fill_at(grid.layout, time, node);
             });
             marks[n] = hidden;
         }

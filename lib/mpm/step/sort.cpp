@@ -36,7 +36,7 @@ BlockStep step_of_block(const Grid<D, Real>& grid, const std::vector<Particles<D
 }  // namespace
 
 template <int D, class Real>
-bool sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
+void sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
                     const std::vector<double>& near_speed, Grid<D, Real>& grid,
                     std::vector<Particles<D, Real>>& bodies, std::vector<std::uint8_t>& unknown_fill,
                     std::vector<double>& drift, Skimming& skimming, Outflow<D>& outflow) {
@@ -56,7 +56,7 @@ bool sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
                             " cells in one step, at " + std::to_string(speed) +
                             " m/s; use a smaller simulate.cfl");
     }
-    if (!leaves) return false;
+    if (!leaves) return;
     if (!interval.settling) {
         drain(parameters, grid, bodies, outflow);
         skim(parameters, interval.begin, grid, bodies, skimming, outflow);
@@ -64,11 +64,10 @@ bool sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
     sort_into_blocks<D, Real>(grid, bodies);
     unknown_fill = find_unknown_fill(parameters, interval.begin, grid, bodies);
     drift.assign(grid.particle_blocks.size(), 0.0);
-    return true;
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                              \
-    template bool sort_if_needed(const Interval&, const Parameters<D>&, const std::vector<double>&, \
+    template void sort_if_needed(const Interval&, const Parameters<D>&, const std::vector<double>&, \
                                  Grid<D, Real>&, std::vector<Particles<D, Real>>&,                  \
                                  std::vector<std::uint8_t>&, std::vector<double>&, Skimming&, Outflow<D>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)

@@ -17,15 +17,15 @@
 namespace tidewater::mpm {
 
 // Sorts, if the motion of the step at hand, added to a block's drift, would pass sorting_margin.
-//     near_speed         [particle block] as in Simulation, m/s; of no use after a sort until it is found
-//     anew grid, bodies       reads velocities and positions; a sort writes blocks and the order of particles
+//     near_speed         [particle block] as in Simulation, m/s; of no use after a sort
+//     grid, bodies       reads velocities and positions; a sort writes blocks and the order of particles
 //     unknown_fill       as in Simulation; a sort writes it
 //     drift              as in Simulation; a sort sets it to 0
 //     skimming, outflow  accounts of the water that is drained
-// Returns whether it sorted. Throws a NumericsError if something would move by more than sorting_margin in
+// Throws a NumericsError if something would move by more than sorting_margin in
 // this step, or if a particle has left the tank.
 template <int D, class Real>
-bool sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
+void sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
                     const std::vector<double>& near_speed, Grid<D, Real>& grid,
                     std::vector<Particles<D, Real>>& bodies, std::vector<std::uint8_t>& unknown_fill,
                     std::vector<double>& drift, Skimming& skimming, Outflow<D>& outflow);

@@ -135,19 +135,6 @@ std::vector<double> scatter_start(const Start<D>& start,
     return max_of_block;
 }
 
-// The max. c of all materials, and whose it is.
-template <int D, class Real>
-Signal fastest_sound(const Simulation<D, Real>& s, const Findings& findings) {
-    Signal fastest;
-    for (const auto& particles : s.bodies) {
-        with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
-            const double sound = M::sound_speed(M::model(s.parameters), findings);
-            if (sound > fastest.sound) fastest = {.sound = sound, .motion = 0.0, .material = M::material};
-        });
-    }
-    return fastest;
-}
-
 }  // namespace
 
 template <int D, class Real>
@@ -173,7 +160,8 @@ Simulation<D, Real> make_simulation(Start<D> start) {
         for (const double of_point : j) findings.add({.min_j = of_point});
         fill_columns(start, body, j, particles);
     }
-    s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings);
+    const Signal sound = fastest_sound(s.parameters, s.bodies, findings);
+    s.speeds.sound = sound.sound;
     place<D, Real>(points, s.grid, s.bodies);
     s.unknown_fill = find_unknown_fill(s.parameters, s.time, s.grid, s.bodies);
     const std::vector<double> node_speed = scatter_start(start, bodies, s);
@@ -182,7 +170,7 @@ Simulation<D, Real> make_simulation(Start<D> start) {
         s.speeds.particle = std::max(s.speeds.particle, max_speed(s.rigid.back()));
     }
     // The sound of each block is known from the first pass on.
-    const std::vector<Signal> of_block(s.grid.particle_blocks.size(), fastest_sound(s, findings));
+    const std::vector<Signal> of_block(s.grid.particle_blocks.size(), sound);
     s.drift.assign(of_block.size(), 0.0);
     s.speeds.signal = find_signal(s.grid, node_speed, of_block, s.rigid, s.near_speed);
     return s;

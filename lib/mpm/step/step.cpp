@@ -80,7 +80,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     const StepBlocks blocks = all_blocks(s.grid);
     const PassFindings findings = pass_over_blocks(interval, s.parameters, blocks.particles, s.rigid,
                                                    s.unknown_fill, s.grid, s.bodies, s.drift, wall_impulse);
-    s.speeds.sound = max_sound_speed(s.parameters, s.bodies, findings.all);
+    s.speeds.sound = fastest_sound(s.parameters, s.bodies, findings.all).sound;
     if (!interval.settling) {
         for (RigidBody& body : s.rigid) move_rigid_body(interval.dt, body);  // the pass reads the old place
     }

@@ -28,7 +28,7 @@ namespace tidewater::mpm {
 // Advances particles and bodies by s.dt, gives the velocities the forces of a step of next_dt (s), and sets
 // s.dt to next_dt. Forces may make something faster within a step than stable_time_step could know. That is
 // refused only where it would carry a particle beyond sorting_margin or turn its volume inside out
-// (max_motion in mpm/particles/motion.h). Throws NumericsError, which names step, phase and particle, if a
+// (BlockMotion in mpm/particles/motion.h). Throws NumericsError, which names step, phase and particle, if a
 // value is not finite, if a volume collapses (J ≤ 0), if a particle leaves the box, or if one moves by half a
 // cell in a step, its affine motion included.
 template <int D, class Real>

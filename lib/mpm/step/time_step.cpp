@@ -9,15 +9,16 @@
 namespace tidewater::mpm {
 
 template <int D, class Real>
-double max_sound_speed(const Parameters<D>& parameters, const std::vector<Particles<D, Real>>& bodies,
-                       const Findings& findings) {
-    double max_sound = 0.0;
+Signal fastest_sound(const Parameters<D>& parameters, const std::vector<Particles<D, Real>>& bodies,
+                     const Findings& findings) {
+    Signal fastest;
     for (const auto& particles : bodies) {
         with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
-            max_sound = std::max(max_sound, M::sound_speed(M::model(parameters), findings));
+            const double sound = M::sound_speed(M::model(parameters), findings);
+            if (sound > fastest.sound) fastest = {.sound = sound, .motion = 0.0, .material = M::material};
         });
     }
-    return max_sound;
+    return fastest;
 }
 
 template <int D, class Real>
@@ -54,13 +55,13 @@ double stable_time_step(const Simulation<D, Real>& s) {
     return std::min(s.parameters.cfl * dx / s.speeds.signal.speed(), falling);
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                            \
-    template double stable_time_step(const Simulation<D, Real>&);                                 \
-    template Signal find_signal(const Grid<D, Real>&, const std::vector<double>&,                 \
-                                const std::vector<Signal>&, const std::vector<RigidBody>&,        \
-                                std::vector<double>&);                                            \
-    template double max_sound_speed(const Parameters<D>&, const std::vector<Particles<D, Real>>&, \
-                                    const Findings&);
+#define TIDEWATER_INSTANTIATE(D, Real)                                                          \
+    template double stable_time_step(const Simulation<D, Real>&);                               \
+    template Signal find_signal(const Grid<D, Real>&, const std::vector<double>&,               \
+                                const std::vector<Signal>&, const std::vector<RigidBody>&,      \
+                                std::vector<double>&);                                          \
+    template Signal fastest_sound(const Parameters<D>&, const std::vector<Particles<D, Real>>&, \
+                                  const Findings&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

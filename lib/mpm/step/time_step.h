@@ -31,10 +31,10 @@ Signal find_signal(const Grid<D, Real>& grid, const std::vector<double>& node_sp
                    const std::vector<Signal>& of_block, const std::vector<RigidBody>& rigid,
                    std::vector<double>& near_speed);
 
-// The maximum sound speed of the materials of these bodies, m/s; 0 without any.
+// The maximum sound speed of the materials of these bodies, and whose it is; 0 without any. It has no motion.
 //     findings  what the last pass found in the particles' states
 template <int D, class Real>
-double max_sound_speed(const Parameters<D>& parameters, const std::vector<Particles<D, Real>>& bodies,
-                       const Findings& findings);
+Signal fastest_sound(const Parameters<D>& parameters, const std::vector<Particles<D, Real>>& bodies,
+                     const Findings& findings);
 
 }  // namespace tidewater::mpm
