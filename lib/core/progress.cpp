@@ -9,26 +9,44 @@
 
 namespace tidewater {
 
+bool progress_due(const ProgressTold& told, bool terminal, double seconds, double done, double fraction) {
+    if (terminal) return seconds - told.seconds > 0.1 || fraction >= 1.0;
+    constexpr double settled = 1.0;  // s, until which a rate is no rate
+    const bool first_left = !told.left && fraction > done && seconds > settled;
+    return std::floor(10.0 * fraction) > told.tenth || first_left || seconds - told.seconds > 600.0;
+}
+
 Progress::Progress(std::string what, double done)
-    : what_(std::move(what)),
-      done_(done),
-      start_(Clock::now()),
-      last_draw_(start_ - std::chrono::hours(1)),
-      terminal_(::isatty(STDERR_FILENO) == 1) {}
+    : what_(std::move(what)), done_(done), start_(Clock::now()), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 void Progress::update(double fraction, const std::string& note) {
-    const auto now = Clock::now();
-    const int tenth = static_cast<int>(std::floor(10.0 * fraction));
-    const bool due = terminal_ ? now - last_draw_ > std::chrono::milliseconds(100) || fraction >= 1.0
-                               : tenth > last_tenth_;
-    if (!due) return;
-    last_draw_ = now;
-    last_tenth_ = tenth;
-    const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const std::string left = remaining_text(elapsed, done_, fraction);
-    std::fprintf(stderr, "%s%s: %3.0f %%, %s elapsed, %s%s%s%s", terminal_ ? "\r\033[K" : "", what_.c_str(),
-                 std::floor(100.0 * std::min(fraction, 1.0)), format_duration(elapsed).c_str(), left.c_str(),
-                 note.empty() ? "" : ", ", note.c_str(), terminal_ ? "" : "\n");
+    const double seconds = elapsed();
+    if (!progress_due(told_, terminal_, seconds, done_, fraction)) return;
+    told_ = {.seconds = seconds,
+             .tenth = static_cast<int>(std::floor(10.0 * fraction)),
+             .left = told_.left || fraction > done_};
+    char percent[16];
+    std::snprintf(percent, sizeof percent, "%3.0f %%, ", std::floor(100.0 * std::min(fraction, 1.0)));
+    draw(percent + format_duration(seconds) + " elapsed, " + remaining_text(seconds, done_, fraction) +
+         (note.empty() ? "" : ", ") + note);
+}
+
+void Progress::prepare(const std::string& note) {
+    const double seconds = elapsed();
+    if (!progress_due(told_, terminal_, seconds, 0.0, 0.0)) return;
+    told_ = {.seconds = seconds, .tenth = 0};
+    draw(format_duration(seconds) + " elapsed, " + note);
+}
+
+void Progress::begin(double done) {
+    done_ = done;
+    start_ = Clock::now();
+    told_ = {};
+}
+
+void Progress::draw(const std::string& text) {
+    std::fprintf(stderr, "%s%s: %s%s", terminal_ ? "\r\033[K" : "", what_.c_str(), text.c_str(),
+                 terminal_ ? "" : "\n");
     std::fflush(stderr);
     drawn_ = true;
 }

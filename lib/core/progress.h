@@ -1,11 +1,21 @@
-// Progress of long work on standard error: one line that is redrawn on a terminal, else one plain line per 10
-// %.
+// Progress of long work on standard error: one line that is redrawn on a terminal. Elsewhere a plain line at
+// the start, another as soon as the remaining time can be told, then one per 10 % or 10 minutes.
 #pragma once
 
 #include <chrono>
 #include <string>
 
 namespace tidewater {
+
+// What was told last.
+struct ProgressTold {
+    double seconds = -1e9;  // when, since the work began
+    int tenth = -1;         // of the work, that was done
+    bool left = false;      // whether the remaining time could be told
+};
+
+// Whether it is time to tell more, after so many seconds of work that began with the fraction `done`.
+bool progress_due(const ProgressTold& told, bool terminal, double seconds, double done, double fraction);
 
 class Progress {
 public:
@@ -16,6 +26,12 @@ public:
     // fraction in [0, 1] of the work done; note is appended, e.g. "t = 1.20 s". Cheap to call often.
     void update(double fraction, const std::string& note = {});
 
+    // The same for work before that, whose end is not known; nothing is told but the note.
+    void prepare(const std::string& note);
+    // That work is over, and so much of the other done: the remaining time is told from what is done from now
+    // on.
+    void begin(double done);
+
     // Ends the terminal's line. Called by the destructor too.
     void finish();
     ~Progress() { finish(); }
@@ -24,11 +40,13 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    void draw(const std::string& text);
+
     std::string what_;
     double done_;
     Clock::time_point start_;
-    Clock::time_point last_draw_;
-    int last_tenth_ = -1;
+    ProgressTold told_;
     bool terminal_;
     bool drawn_ = false;
 };

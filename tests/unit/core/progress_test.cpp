@@ -25,4 +25,28 @@ TEST_CASE("the remaining time follows from what this process did, not from what 
     CHECK(remaining_text(10.0, 0.5, 1.0) == "0 s left");
 }
 
+TEST_CASE(
+    "outside of a terminal the remaining time is told as soon as it is known, then per tenth or 10 minutes") {
+    ProgressTold told;
+    const auto due = [&](double seconds, double fraction) {
+        return progress_due(told, false, seconds, 0.3, fraction);
+    };
+    CHECK(due(0.0, 0.3));
+    told = {.seconds = 0.0, .tenth = 3};
+    CHECK(!due(0.5, 0.3001));  // too early for a rate
+    CHECK(!due(5.0, 0.3));     // nothing is done yet
+    CHECK(due(1.1, 0.3001));
+    told = {.seconds = 1.1, .tenth = 3, .left = true};
+    CHECK(!due(2.0, 0.31));
+    CHECK(due(2.0, 0.4));
+    CHECK(due(602.0, 0.31));
+}
+
+TEST_CASE("on a terminal the line is redrawn ten times a second, and at the end") {
+    const ProgressTold told{.seconds = 1.0, .tenth = 3, .left = true};
+    CHECK(!progress_due(told, true, 1.05, 0.0, 0.35));
+    CHECK(progress_due(told, true, 1.2, 0.0, 0.35));
+    CHECK(progress_due(told, true, 1.05, 0.0, 1.0));
+}
+
 TEST_CASE("a negative duration, from a clock set back, is none") { CHECK(format_duration(-5.0) == "0 s"); }
