@@ -202,7 +202,9 @@ std::int64_t RunFacts::particle_count() const {
     return count;
 }
 
-double RunFacts::total_seconds() const { return find(seconds, "total"); }
+double RunFacts::seconds_of(const char* part) const { return find(seconds, part); }
+
+double RunFacts::total_seconds() const { return seconds_of("total"); }
 
 double RunFacts::particle_steps_per_second() const {
     return static_cast<double>(particle_steps) / total_seconds();

@@ -81,8 +81,9 @@ struct RunFacts {
     std::vector<std::string> warnings;
 
     std::int64_t particle_count() const;
-    double total_seconds() const;              // NaN without
-    double particle_steps_per_second() const;  // likewise
+    double seconds_of(const char* part) const;  // of wall time; NaN without
+    double total_seconds() const;               // likewise
+    double particle_steps_per_second() const;   // likewise
 };
 
 // Replaces path as a whole. Throws OutputError.

@@ -45,9 +45,11 @@ constexpr std::array keys{
     Key{.name = "simulate.gauge_interval",
         .unit = "s",
         .member = member<&Scene::simulate, &Scene::Simulate::gauge_interval>(),
-        .range = positive,
+        .range = not_negative,
         .stages = by_simulate | by_postprocess,
-        .help = "between rows of gauges.csv and ledger.csv"},
+        .help = "between rows of gauges.csv and ledger.csv; 0: a tenth of snapshot_interval, or sound's way "
+                "of ten "
+                "cells where that is longer"},
     Key{.name = "simulate.gauges",
         .unit = "m",
         .member = member<&Scene::simulate, &Scene::Simulate::gauges>(),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 namespace tidewater::scene {
@@ -30,6 +32,18 @@ geometry::Box make_box(const Scene& scene, const std::vector<double>& center, co
 
 double particle_spacing(const Scene& scene) {
     return scene.domain.cell_size / static_cast<double>(scene.particles.per_axis);
+}
+
+double row_interval(const Scene& scene) {
+    if (scene.simulate.gauge_interval > 0.0) return scene.simulate.gauge_interval;
+    const double sound = 10.0 * scene.domain.cell_size / scene.water.model.sound_speed;
+    const double least = std::max(0.1 * scene.simulate.snapshot_interval, sound);
+    const double decade = std::floor(std::log10(least));
+    for (const double digit : {1.0, 2.0, 5.0}) {
+        const double interval = digit * std::pow(10.0, decade);
+        if (interval > (1.0 - 1e-9) * least) return interval;
+    }
+    return std::pow(10.0, decade + 1.0);
 }
 
 bool Scene::has(std::string_view effect) const { return std::ranges::find(effects, effect) != effects.end(); }

@@ -106,7 +106,7 @@ struct Scene {
     struct Simulate {
         double end_time = 0.0;           // s
         double snapshot_interval = 0.0;  // s
-        double gauge_interval = 0.01;    // s, between rows of gauges.csv and ledger.csv
+        double gauge_interval = 0.0;     // s, between rows of gauges.csv and ledger.csv; 0: row_interval
         Points gauges;                   // m
         Points pressure_gauges;          // m
         Precision precision = Precision::single_precision;
@@ -167,6 +167,12 @@ geometry::Box make_box(const Scene& scene, const std::vector<double>& center, co
 
 // The distance between two particles of a lattice, m.
 double particle_spacing(const Scene& scene);
+
+// The time between rows of the tables, s: simulate.gauge_interval or, where that is 0, a tenth of
+// simulate.snapshot_interval or the time in which sound crosses ten cells of water, whichever is longer,
+// rounded up to 1, 2 or 5 times a power of ten. The latter is some twenty steps, of which a row costs two a
+// part, and hardly more than the fastest wave takes to cross one cell.
+double row_interval(const Scene& scene);
 
 // What is allowed but probably not meant, one line each.
 std::vector<std::string> scene_warnings(const Scene& scene);

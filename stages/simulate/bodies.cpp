@@ -58,7 +58,7 @@ Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
 
 using Impulses = std::array<Eigen::Vector3d, 3>;  // water's, its turn, contacts'
 
-Impulses impulses_of(const mpm::RigidBody& body) {
+Impulses impulses_of(const BodyReading& body) {
     return {body.water_impulse, body.water_angular_impulse, body.contact_impulse};
 }
 
@@ -67,15 +67,13 @@ Impulses impulses_of(const mpm::RigidBody& body) {
 BodiesTable::BodiesTable(const std::filesystem::path& path, const Provenance& provenance, int dimension)
     : table_(path, provenance, columns_of(dimension)) {}
 
-template <int D, class Real>
-void BodiesTable::append(const mpm::Simulation<D, Real>& s) {
+void BodiesTable::append(int dimension, double gravity, double time, const std::vector<BodyReading>& bodies) {
     const bool first = last.empty();
-    const double seconds = first ? std::numeric_limits<double>::quiet_NaN() : s.time - last[0];
-    std::vector<double> now{s.time};
+    const double seconds = first ? std::numeric_limits<double>::quiet_NaN() : time - last[0];
+    std::vector<double> now{time};
     std::size_t at = 1;
-    for (std::size_t n = 0; n < s.rigid.size(); ++n) {
-        const mpm::RigidBody& body = s.rigid[n];
-        const Eigen::Vector3d center = body.center_in_box(s.grid.layout.cell_size);
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+        const BodyReading& body = bodies[n];
         Impulses force = impulses_of(body);
         for (Eigen::Vector3d& impulse : force) {
             now.insert(now.end(), impulse.begin(), impulse.end());
@@ -83,26 +81,21 @@ void BodiesTable::append(const mpm::Simulation<D, Real>& s) {
             impulse /= seconds;
             at += 3;
         }
-        std::vector<double> row{s.time, static_cast<double>(n + 1)};
-        append_vector(D, center, row);
-        append_turn(D, degrees * rotation_vector(body.rotation), row);
-        append_vector(D, body.velocity, row);
-        append_turn(D, body.angular_velocity, row);
-        row.push_back(max_speed(body));
-        append_vector(D, force[0], row);
-        append_turn(D, force[1], row);
-        append_vector(D, force[2], row);
-        row.push_back(kinetic_energy(body));
-        row.push_back(body.mass * s.parameters.gravity * center[2]);
+        std::vector<double> row{time, static_cast<double>(n + 1)};
+        append_vector(dimension, body.center, row);
+        append_turn(dimension, degrees * rotation_vector(body.rotation), row);
+        append_vector(dimension, body.velocity, row);
+        append_turn(dimension, body.angular_velocity, row);
+        row.push_back(body.fastest);
+        append_vector(dimension, force[0], row);
+        append_turn(dimension, force[1], row);
+        append_vector(dimension, force[2], row);
+        row.push_back(body.kinetic);
+        row.push_back(body.mass * gravity * body.center[2]);
         row.push_back(body.mass);
         table_.append(row);
     }
     last = std::move(now);
 }
-
-template void BodiesTable::append(const mpm::Simulation<2, float>&);
-template void BodiesTable::append(const mpm::Simulation<2, double>&);
-template void BodiesTable::append(const mpm::Simulation<3, float>&);
-template void BodiesTable::append(const mpm::Simulation<3, double>&);
 
 }  // namespace tidewater

@@ -6,7 +6,7 @@
 
 #include "core/provenance.h"
 #include "io/table.h"
-#include "mpm/state/simulation.h"
+#include "readings.h"
 
 namespace tidewater {
 
@@ -27,8 +27,8 @@ class BodiesTable {
 public:
     BodiesTable(const std::filesystem::path& path, const Provenance& provenance, int dimension);
 
-    template <int D, class Real>
-    void append(const mpm::Simulation<D, Real>& simulation);
+    // Rows of one time (s), with gravity in m/s².
+    void append(int dimension, double gravity, double time, const std::vector<BodyReading>& bodies);
 
     io::TableWriter& table() { return table_; }
 

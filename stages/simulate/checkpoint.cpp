@@ -13,8 +13,8 @@
 namespace tidewater {
 namespace {
 
-// Version 7 has the works of friction and drag; before it the ground acted by another rule.
-constexpr std::int64_t format_version = 7;
+// Until version 7 steps ended where rows were due, and velocities began half a step earlier.
+constexpr std::int64_t format_version = 8;
 
 io::Hdf5Reader open_checkpoint(const std::filesystem::path& path) {
     io::Hdf5Reader file(path, "--from start begins the run anew");
@@ -22,7 +22,7 @@ io::Hdf5Reader open_checkpoint(const std::filesystem::path& path) {
     const std::int64_t version = file.integer("/", "format_version");
     if (version < format_version)
         file.fail("its format version " + std::to_string(version) +
-                  " is of a program whose ground acted by another rule");
+                  " is of a program that stepped by another rule");
     return file;
 }
 

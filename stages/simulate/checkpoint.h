@@ -20,7 +20,6 @@ struct RunState {
     double seconds = 0.0;                             // of wall time spent on it
     std::int64_t rows = 0;                            // of the schedule of rows: times that have come up
     std::int64_t frames = 0;                          // of frames
-    std::int64_t wrote = 0;                           // 1 if a row or frame is of this very time
     std::vector<double> frame_times;                  // of the frames that lie in the folder, s
     std::string gauges, pressures, bodies, ledger;    // the tables so far; two of them may be empty
     std::vector<double> last_bodies;                  // BodiesTable::last
@@ -35,7 +34,6 @@ struct RunState {
         visit("seconds", seconds);
         visit("rows", rows);
         visit("frames", frames);
-        visit("wrote", wrote);
         visit("frame_times", frame_times);
         visit("gauges", gauges);
         visit("pressures", pressures);

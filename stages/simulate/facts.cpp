@@ -164,7 +164,8 @@ io::RunFacts Facts<D, Real>::now(const std::string& state, const std::string& re
     facts.seconds = {{"start", tally.start_seconds}};
     for (std::size_t phase = 0; phase < mpm::phase_names.size(); ++phase)
         facts.seconds.emplace_back(mpm::phase_names[phase], tally.phase_seconds[phase]);
-    facts.seconds.emplace_back("output", tally.output_seconds);
+    facts.seconds.emplace_back("rows", tally.rows_seconds);
+    facts.seconds.emplace_back("frames", tally.frames_seconds);
     facts.seconds.emplace_back("checkpoint", tally.checkpoint_seconds);
     facts.seconds.emplace_back("total", run.seconds);
     if (tally.peak_memory_bytes > 0) facts.peak_memory_bytes = tally.peak_memory_bytes;

@@ -20,6 +20,13 @@ namespace {
 void log_summary(const io::RunFacts& facts, Log& log) {
     log.line(std::to_string(facts.particle_count()) + " particles, " + io::cost_text(facts));
     log.line("time went into: " + io::time_shares_text(facts));
+    for (const auto& [what, key] :
+         {std::pair{"rows", "simulate.gauge_interval"}, {"frames", "simulate.snapshot_interval"}}) {
+        const double share = facts.seconds_of(what) / facts.total_seconds();
+        if (share <= 0.1) continue;
+        log.line(format("%s took %.0f %% of the time; a longer %s costs less and changes nothing else", what,
+                        100.0 * share, key));
+    }
     log.line("time step: " + io::time_step_text(facts) + "; limited by " + io::limited_by_text(facts));
     log.line("ledger: " + io::ledger_text(facts));
 }

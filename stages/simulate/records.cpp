@@ -14,7 +14,6 @@
 #include "mpm/particles/motion.h"
 #include "mpm/readings/pressure.h"
 #include "mpm/readings/principal_stress.h"
-#include "mpm/readings/sensor.h"
 
 namespace tidewater {
 namespace {
@@ -74,18 +73,6 @@ void lift(const Vector<D, Real>& v, float* to) {
     to[2] = static_cast<float>(v[D - 1]);
 }
 
-// Whether a block, with what may have drifted out of it, reaches the columns that a gauge reads.
-template <int D>
-bool near_place(const mpm::Layout<D>& layout, const mpm::Index<D>& block, const analysis::Place& place) {
-    for (int axis = 0; axis < D - 1; ++axis) {
-        const double at = (axis == 0 ? place.x : place.y) / layout.cell_size;
-        const double first = layout.first_node(block[static_cast<std::size_t>(axis)]);
-        const double reach = analysis::surface_reach + 1.0;
-        if (at < first - reach || at > first + mpm::Block<D>::width + reach) return false;
-    }
-    return true;
-}
-
 void remove_file(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::remove(path, error);
@@ -125,13 +112,14 @@ Records<D, Real>::Records(const scene::Scene& scene, const Ground& ground,
                           const std::filesystem::path& folder, const Provenance& provenance)
     : folder_(folder),
       provenance_(provenance),
-      tank_(make_tank(scene)),
-      places_(gauge_places(scene.simulate.gauges, scene, ground)),
-      sensors_(pressure_points<D>(scene.simulate.pressure_gauges)),
+      instruments_{.tank = make_tank(scene),
+                   .gauges = gauge_places(scene.simulate.gauges, scene, ground),
+                   .sensors = pressure_points<D>(scene.simulate.pressure_gauges)},
+      gravity_(scene.domain.gravity),
       gauges_(folder / "gauges.csv", provenance, gauge_columns(scene.simulate.gauges)),
       ledger_(folder / "ledger.csv", provenance, ledger_columns<D>()),
       spacing_(scene.domain.cell_size / scene.particles.per_axis) {
-    if (!sensors_.empty()) {
+    if (!instruments_.sensors.empty()) {
         pressures_.emplace(folder / "pressures.csv", provenance,
                            pressure_columns(scene.simulate.pressure_gauges));
     }
@@ -235,55 +223,32 @@ void Records<D, Real>::write_frame(const mpm::Simulation<D, Real>& s) {
 }
 
 template <int D, class Real>
-std::vector<double> Records<D, Real>::surface_at_gauges(const mpm::Simulation<D, Real>& s) const {
-    std::vector<float> points, volume;
-    for (const auto& particles : s.bodies) {
-        if (particles.material != Material::water) continue;
-        for (std::size_t slot = 0; slot + 1 < particles.begin.size(); ++slot) {
-            const auto block = mpm::block_at<D>(s.grid.particle_blocks[slot]);
-            const auto reaches = [&](const analysis::Place& place) {
-                return near_place<D>(s.grid.layout, block, place);
-            };
-            if (std::none_of(places_.begin(), places_.end(), reaches)) continue;
-            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-                points.resize(points.size() + 3);
-                lift<D>(mpm::global_position(s.grid.layout, block, particles, p), &points.back() - 2);
-                volume.push_back(static_cast<float>(particles.volume));
-            }
-        }
-    }
-    return analysis::surface_elevation({.points = points, .volume = volume, .material = {}}, tank_, places_);
-}
-
-template <int D, class Real>
-void Records<D, Real>::append_row(const mpm::Simulation<D, Real>& s) {
-    std::vector<double> row{s.time};
-    const auto surface = surface_at_gauges(s);
-    row.insert(row.end(), surface.begin(), surface.end());
+void Records<D, Real>::append_row(const Reading<D>& reading) {
+    std::vector<double> row{reading.time};
+    row.insert(row.end(), reading.surface.begin(), reading.surface.end());
     gauges_.append(row);
     if (pressures_) {
-        row = {s.time};
-        const auto pressure = mpm::pressure_at<D, Real>(s, sensors_);
-        row.insert(row.end(), pressure.begin(), pressure.end());
+        row = {reading.time};
+        row.insert(row.end(), reading.pressure.begin(), reading.pressure.end());
         pressures_->append(row);
     }
+    if (bodies_) bodies_->append(D, gravity_, reading.time, reading.bodies);
 
-    if (bodies_) bodies_->append(s);
-
-    const mpm::Ledger<D> ledger = mpm::take_ledger(s);
-    const double energy = ledger.kinetic + ledger.gravitational + ledger.elastic + s.accounts.outflow.energy -
-                          s.accounts.boundary_work - s.accounts.friction_work - s.accounts.drag_work;
+    const mpm::Ledger<D>& ledger = reading.ledger;
+    const mpm::Accounts<D>& accounts = reading.accounts;
+    const mpm::Outflow<D>& outflow = accounts.outflow;
+    const double energy = ledger.kinetic + ledger.gravitational + ledger.elastic + outflow.energy() -
+                          accounts.boundary_work - accounts.friction_work - accounts.drag_work;
     if (first_row_) start_energy_ = highest_energy_ = energy;
     highest_energy_ = std::max(highest_energy_, energy);
 
-    row = {s.time, static_cast<double>(s.step), ledger.mass};
+    row = {reading.time, static_cast<double>(reading.step), ledger.mass};
     row.insert(row.end(), ledger.momentum.begin(), ledger.momentum.end());
-    row.insert(row.end(), s.accounts.wall_impulse.begin(), s.accounts.wall_impulse.end());
-    row.insert(row.end(), {s.accounts.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
-                           s.accounts.boundary_work, s.accounts.friction_work, s.accounts.drag_work,
-                           s.accounts.outflow.mass});
-    row.insert(row.end(), s.accounts.outflow.momentum.begin(), s.accounts.outflow.momentum.end());
-    row.insert(row.end(), {s.accounts.outflow.energy, energy});
+    row.insert(row.end(), accounts.wall_impulse.begin(), accounts.wall_impulse.end());
+    row.insert(row.end(), {accounts.gravity_impulse, ledger.kinetic, ledger.gravitational, ledger.elastic,
+                           accounts.boundary_work, accounts.friction_work, accounts.drag_work, outflow.mass});
+    row.insert(row.end(), outflow.momentum.begin(), outflow.momentum.end());
+    row.insert(row.end(), {outflow.energy(), energy});
     ledger_.append(row);
     if (first_row_) first_ledger_row_ = row;
     last_ledger_row_ = row;

@@ -5,14 +5,13 @@
 #include <filesystem>
 #include <optional>
 
-#include "analysis/surface.h"
 #include "bodies.h"
 #include "checkpoint.h"
 #include "common/ground.h"
 #include "core/provenance.h"
 #include "io/run_facts.h"
 #include "io/table.h"
-#include "mpm/state/ledger.h"
+#include "readings.h"
 #include "scene/scene.h"
 
 namespace tidewater {
@@ -31,7 +30,10 @@ public:
             const Provenance& provenance);
 
     void write_frame(const mpm::Simulation<D, Real>& simulation);
-    void append_row(const mpm::Simulation<D, Real>& simulation);  // to all tables
+    Reading<D> read(const mpm::Simulation<D, Real>& simulation) const {
+        return read_state(simulation, instruments_);
+    }
+    void append_row(const Reading<D>& reading);  // to all tables
 
     // What a checkpoint needs of the records, and how to go on behind it.
     void store(RunState& run);
@@ -47,13 +49,10 @@ public:
     io::RunFacts::Ledger ledger_facts() const;
 
 private:
-    std::vector<double> surface_at_gauges(const mpm::Simulation<D, Real>& simulation) const;
-
     std::filesystem::path folder_;
     Provenance provenance_;
-    analysis::Tank tank_;
-    std::vector<analysis::Place> places_;
-    std::vector<Vector<D, double>> sensors_;  // of the pressure, m
+    Instruments<D> instruments_;
+    double gravity_;  // m/s²
     io::TableWriter gauges_;
     std::optional<io::TableWriter> pressures_;  // only of a scene that has sensors
     std::optional<BodiesTable> bodies_;         // only of one that has blocks

@@ -28,7 +28,7 @@ std::string time_step_line(const mpm::Simulation<D, Real>& s) {
                   limit_words(limit), 100.0 * std::max(signal.sound, signal.motion) / signal.speed());
 }
 
-// `time`, or the time of a schedule if it is one but for rounding.
+// `time`, or the end of a run if it is that but for rounding.
 double snapped(double time) { return std::abs(time - rounded(time)) < 1e-13 * time ? rounded(time) : time; }
 
 }  // namespace
@@ -44,30 +44,39 @@ Run<D, Real>::Run(const StageContext& context, mpm::Simulation<D, Real>& simulat
       records_(records),
       facts_(facts),
       log_(log),
-      rows_(simulate_.gauge_interval, earlier.rows),
+      rows_(scene::row_interval(context.scene), earlier.rows),
       frames_(simulate_.snapshot_interval, earlier.frames),
-      progress_("simulate", s_.time / simulate_.end_time),
-      wrote_(earlier.wrote != 0) {}
+      progress_("simulate", s_.time / simulate_.end_time) {}
 
 template <int D, class Real>
 bool Run<D, Real>::to_end() {
     const StopWish wish;
     const double end = rounded(simulate_.end_time);
     settle(wish);
+    bool began = false;
+    if (rows_.past() == 0) {
+        records_.append_row(records_.read(s_));
+        rows_.pass();
+    }
     for (;;) {
         const bool ended = s_.time >= end;
-        write_due(ended);
+        write_frame_if_due(ended);
         if (ended) return true;
-        // Everything of this time is written: from here on, a run that was loaded does the same as this one.
+        // Everything until this time is written: from here on, a run that was loaded does the same as this
+        // one.
         if (wish.signal() != 0) stop(wish.signal());
-        if (wrote_ && s_.time >= until_) {
+        if (s_.time >= until_) {
             save();
             return false;
         }
         save_if_due();
-        wrote_ = false;
-        progress_.update(s_.time / end, format("t = %.3f s of %g s", s_.time, end));
         step(end);
+        // The step to come is chosen already: so even the first ones tell how long the run will take, but the
+        // very first, which maps the memory.
+        const double done = std::min((s_.time + s_.dt) / end, 1.0);
+        if (!began) progress_.begin(done);
+        began = true;
+        progress_.update(done, format("t = %.3f s of %g s", s_.time, end));
     }
 }
 
@@ -78,11 +87,16 @@ void Run<D, Real>::settle(const StopWish& wish) {
     if (s_.step == 0 && s_.settling.time == 0.0) begin_settling(s_);
     if (!s_.settling.going) return;
     const double tolerance = scene_.settle.tolerance;
+    const auto begun = Clock::now();
+    const long first = s_.step;
     while (!settle_step(s_, tolerance)) {
         if (wish.signal() != 0) stop(wish.signal());
         save_if_due();
-        progress_.update(0.0,
-                         format("settling: waves of %.3g Pa, to be %.3g Pa", s_.settling.stress, tolerance));
+        const double steps_ahead = simulate_.end_time / s_.dt;
+        const double per_step = seconds_since(begun) / static_cast<double>(s_.step - first);
+        progress_.prepare(format("settling: waves of %.3g Pa, to be %.3g Pa; then about %s",
+                                 s_.settling.stress, tolerance,
+                                 format_duration(steps_ahead * per_step).c_str()));
         if (s_.settling.time <= scene_.settle.max_time) continue;
         throw NumericsError(
             format("the start has not settled after %g s: waves of %.3g Pa are left (settle.tolerance "
@@ -94,36 +108,54 @@ void Run<D, Real>::settle(const StopWish& wish) {
                s_.settling.stress, tolerance));
 }
 
-// Advances by the step that was chosen before, and chooses the next: one of several equal ones that end at
-// the next time at which something is written.
+// Advances by the step that was chosen before, and chooses the next: the stable one, but for the last two of
+// a run, which share what is left.
 template <int D, class Real>
 void Run<D, Real>::step(double end) {
     const double arrival = snapped(s_.time + s_.dt);
-    const auto next_output = [&](double time) { return std::min(frames_.after(time), rows_.after(time)); };
-    double target = next_output(arrival);
-    if (arrival < end) target = std::min(target, end);
-    const double left = target - arrival, stable = mpm::stable_time_step(s_);
-    const double dt = left / std::max(1.0, std::ceil(left / stable));
-    // A step that takes the whole time between two outputs, and not only the rest of it, is as long as they
-    // let it be.
-    const bool whole = left <= stable && (s_.dt == 0.0 || next_output(s_.time) <= arrival);
-    facts_.tally().add_step(whole ? TimeStepLimit::output : time_step_limit(s_), dt, s_.particle_count());
+    const double left = end - arrival, stable = mpm::stable_time_step(s_);
+    double dt = stable;
+    if (left > 0.0 && left < 2.0 * stable) dt = left <= stable ? left : 0.5 * left;
+    facts_.tally().add_step(dt < stable ? TimeStepLimit::end : time_step_limit(s_), dt, s_.particle_count());
+    const bool row_due = rows_.next() <= arrival || arrival >= end;
+    std::optional<Reading<D>> before;
+    if (row_due) before = reading_ ? std::move(reading_) : read();
+    reading_.reset();
     mpm::advance(s_, dt);
     s_.time = arrival;
+    if (row_due) write_rows(*before, arrival >= end);
 }
 
 template <int D, class Real>
-void Run<D, Real>::write_due(bool ended) {
+Reading<D> Run<D, Real>::read() {
     const auto begun = Clock::now();
-    const bool row = rows_.due(s_.time), frame = frames_.due(s_.time);
-    if (row || ended) records_.append_row(s_);
-    if (frame || ended) {
-        records_.write_frame(s_);
-        say(format("t %.4g s, step %ld, frame %zu: ", s_.time, s_.step, records_.frame_count() - 1) +
-            time_step_line(s_));
+    Reading<D> reading = records_.read(s_);
+    facts_.tally().rows_seconds += seconds_since(begun);
+    return reading;
+}
+
+// The rows between the reading before the step at hand and the present state, and the last one of a run.
+template <int D, class Real>
+void Run<D, Real>::write_rows(const Reading<D>& before, bool ended) {
+    reading_ = read();
+    const auto begun = Clock::now();
+    double last = before.time;
+    for (; rows_.next() <= s_.time; rows_.pass()) {
+        last = rows_.next();
+        records_.append_row(reading_between(before, *reading_, last));
     }
-    wrote_ = wrote_ || row || frame;
-    facts_.tally().output_seconds += seconds_since(begun);
+    if (ended && last < s_.time) records_.append_row(reading_between(before, *reading_, s_.time));
+    facts_.tally().rows_seconds += seconds_since(begun);
+}
+
+template <int D, class Real>
+void Run<D, Real>::write_frame_if_due(bool ended) {
+    if (!frames_.due(s_.time) && !ended) return;
+    const auto begun = Clock::now();
+    records_.write_frame(s_);
+    facts_.tally().frames_seconds += seconds_since(begun);
+    say(format("t %.4g s, step %ld, frame %zu: ", s_.time, s_.step, records_.frame_count() - 1) +
+        time_step_line(s_));
 }
 
 // A checkpoint that does not fit on the disk is no reason to stop: the one before is still there.
@@ -148,7 +180,6 @@ void Run<D, Real>::save() {
     RunState run;
     run.rows = rows_.past();
     run.frames = frames_.past();
-    run.wrote = wrote_;
     facts_.store(run);
     records_.store(run);
     const auto begun = Clock::now();

@@ -24,7 +24,9 @@ public:
 private:
     void settle(const StopWish& wish);
     void step(double end);
-    void write_due(bool ended);
+    Reading<D> read();
+    void write_rows(const Reading<D>& before, bool ended);
+    void write_frame_if_due(bool ended);
     void save_if_due();
     void save();
     [[noreturn]] void stop(int signal);
@@ -40,7 +42,7 @@ private:
     Log& log_;
     Schedule rows_, frames_;
     Progress progress_;
-    bool wrote_;  // what was due at this time, now or before the checkpoint
+    std::optional<Reading<D>> reading_;  // of the present state, if it was taken
     Clock::time_point last_save_ = Clock::now();
 };
 

@@ -1,4 +1,5 @@
-// When something is written: at n · interval for n = 0, 1, 2 …
+// When something is due: at n · interval for n = 0, 1, 2 … A step never ends early for it: a row is then made
+// between the steps around its time, a frame is the first whole step at or after it.
 #pragma once
 
 #include <cmath>
@@ -10,21 +11,17 @@ inline double rounded(double time) { return std::round(time * 1e9) / 1e9; }
 
 class Schedule {
 public:
-    // `past` times have come up already.
+    // `past` times have come up before.
     explicit Schedule(double interval, long past = 0) : interval_(interval), past_(past) {}
 
     double next() const { return rounded(static_cast<double>(past_) * interval_); }
-    // The first one after `time`, whether or not those before have come up.
-    double after(double time) const {
-        double n = std::floor(time / interval_);
-        while (rounded(n * interval_) <= time) ++n;
-        return rounded(n * interval_);
-    }
     long past() const { return past_; }
+    void pass() { ++past_; }
+    // Whether one or more have come up by `time`; they are past then.
     bool due(double time) {
-        if (time < next()) return false;
-        ++past_;
-        return true;
+        const long before = past_;
+        while (next() <= time) ++past_;
+        return past_ > before;
     }
 
 private:

@@ -15,12 +15,12 @@
 namespace tidewater {
 
 // What chooses Δt (mpm/step/time_step.h): that sound, or what moves, crosses only a part of a cell; that what
-// falls moves at most 0.4 cells; or that the next row or frame is due before a stable step ends.
-enum class TimeStepLimit { sound_in_water, sound_in_ice, motion, falling, output };
+// falls moves at most 0.4 cells; or that the run ends.
+enum class TimeStepLimit { sound_in_water, sound_in_ice, motion, falling, end };
 inline constexpr std::array<std::string_view, 5> time_step_limits{"sound_in_water", "sound_in_ice", "motion",
-                                                                  "falling", "output"};
+                                                                  "falling", "end"};
 
-// What limits the stable time step; never `output`.
+// What limits the stable time step; never `end`.
 template <int D, class Real>
 TimeStepLimit time_step_limit(const mpm::Simulation<D, Real>& simulation);
 
@@ -30,11 +30,12 @@ struct Tally {
     std::vector<std::int64_t> limited = std::vector<std::int64_t>(time_step_limits.size());  // steps by limit
     std::int64_t particle_steps = 0;
     double shortest = std::numeric_limits<double>::infinity(), longest = 0.0, sum = 0.0;  // of Δt, s
-    double start_seconds = 0.0, output_seconds = 0.0, checkpoint_seconds = 0.0;           // wall time
-    std::vector<double> phase_seconds = std::vector<double>(mpm::phase_names.size());     // likewise
-    std::int64_t peak_memory_bytes = 0;                                                   // 0: unknown
-    std::int64_t checkpoint_bytes = 0;                                                    // of the last one
-    std::vector<double> first_ledger_row, last_ledger_row;                                // empty: none yet
+    double start_seconds = 0.0, rows_seconds = 0.0, frames_seconds = 0.0,
+           checkpoint_seconds = 0.0;                                                   // wall time
+    std::vector<double> phase_seconds = std::vector<double>(mpm::phase_names.size());  // likewise
+    std::int64_t peak_memory_bytes = 0;                                                // 0: unknown
+    std::int64_t checkpoint_bytes = 0;                                                 // of the last one
+    std::vector<double> first_ledger_row, last_ledger_row;                             // empty: none yet
     std::string warnings;  // each ends with a line's end
 
     void add_step(TimeStepLimit limit, double dt, std::size_t particles) {
@@ -55,7 +56,8 @@ struct Tally {
         visit("longest", longest);
         visit("sum", sum);
         visit("start_seconds", start_seconds);
-        visit("output_seconds", output_seconds);
+        visit("rows_seconds", rows_seconds);
+        visit("frames_seconds", frames_seconds);
         visit("checkpoint_seconds", checkpoint_seconds);
         visit("phase_seconds", phase_seconds);
         visit("peak_memory_bytes", peak_memory_bytes);

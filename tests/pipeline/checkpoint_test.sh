@@ -107,19 +107,19 @@ expect_whole
 run grep --count "particles (.*) in .* blocks" cut/simulate/log
 expect_same "$output" 2
 
-case_named "--until stops at rows and frames, and changes no step"
+case_named "--until stops at the first step that ends then or later, and changes no step"
 begin_anew
 simulate cut --until 0.5
 expect_code 0
-expect_line "stopped by --until at t = 0.5 s"
+expect_line "stopped by --until at t = 0.500"
 expect_no_file cut/simulate/ledger.csv
 expect_file cut/simulate/frame_0005.hdf
 expect_no_file cut/simulate/frame_0006.hdf
 expect_same "$(tail -n 1 cut/simulate/ledger.csv.part | cut -d, -f1)" 0.5
 simulate cut --until 0.5
-expect_line "stopped by --until at t = 0.5 s"
+expect_line "stopped by --until at t = 0.500"
 simulate cut --until 0.723
-expect_line "stopped by --until at t = 0.73 s"
+expect_line "stopped by --until at t = 0.723"
 cp "$checkpoint" early.h5
 cp -r cut stopped
 simulate cut
@@ -128,7 +128,7 @@ expect_whole
 
 case_named "--from goes on from a copy of a checkpoint, or begins anew"
 simulate cut --from early.h5
-expect_line "going on from early.h5, t = 0.73 s"
+expect_line "going on from early.h5, t = 0.723"
 expect_whole
 rm -r cut
 cp -r stopped cut
@@ -164,10 +164,10 @@ truncate --size=-100 "$checkpoint"
 refuses "$checkpoint: it is truncated or no HDF5 file; --from start begins the run anew"
 cp stopped/simulate/frame_0000.hdf "$checkpoint"
 refuses "$checkpoint: it is an HDF5 file but no tidewater checkpoint; --from start begins the run anew"
-stopped_run format_version 8
-refuses "$checkpoint: its format version 8 is newer than this program's 7; --from start begins the run anew"
-stopped_run format_version 6
-refuses "$checkpoint: its format version 6 is of a program whose ground acted by another rule; --from start begins the run anew"
+stopped_run format_version 9
+refuses "$checkpoint: its format version 9 is newer than this program's 8; --from start begins the run anew"
+stopped_run format_version 7
+refuses "$checkpoint: its format version 7 is of a program that stepped by another rule; --from start begins the run anew"
 for array in particle_blocks body0.begin; do
     stopped_run "/state/$array" 5
     refuses "$checkpoint: its arrays do not fit each other"
@@ -204,7 +204,7 @@ stopped_run /state/body0.j nan
 simulate cut
 expect_code 4
 expect_line "has a strain that is not a number"
-expect_line "what it wrote remains, and $checkpoint, t = 0.73 s"
+expect_line "what it wrote remains, and $checkpoint, t = 0.723"
 expect_file "$checkpoint"
 expect_file cut/simulate/ledger.csv.part
 
@@ -232,7 +232,7 @@ kill -TERM "$process"
 ended_process
 expect_code 143
 expect_line "but $checkpoint"
-expect_line "the same command goes on from $checkpoint, t = 0.5 s"
+expect_line "the same command goes on from $checkpoint, t = 0.500"
 run cmp early.h5 "$checkpoint"
 expect_code 0
 expect_no_file "$checkpoint.part"

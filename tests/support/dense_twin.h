@@ -35,6 +35,7 @@ struct DenseTwin {
     std::vector<Particle> particles;
     std::vector<DenseBody<D>> rigid;
     std::vector<Node> grid;  // of the box and `rim` nodes around it, the last axis fastest
+    double last_dt = 0.0;    // s, of the step before
 
     static constexpr int rim = 3;
 
@@ -109,14 +110,16 @@ struct DenseTwin {
     }
 
     void step(double dt) {
-        scatter(dt);
+        const double force_dt = 0.5 * (last_dt + dt);
+        last_dt = dt;
+        scatter(force_dt);
         for_each_image([&](Node& beyond, Node& image, const Vec& sign) { fold(sign, beyond, image); });
         for (Node& node : grid) {
             if (node.mass == 0) continue;
             node.momentum /= node.mass;  // velocity from here on
-            node.momentum[D - 1] -= dt * start.parameters.gravity;
+            node.momentum[D - 1] -= force_dt * start.parameters.gravity;
         }
-        for (DenseBody<D>& body : rigid) meet(body, dt);
+        for (DenseBody<D>& body : rigid) meet(body, force_dt);
         for (std::size_t n = 0; n < grid.size(); ++n) apply_walls(node_at(n), grid[n].momentum);
         gather(dt);
     }

@@ -1,7 +1,8 @@
 // The times of one step of the engine.
 //
-// Particles move through [begin, begin + dt] with the present velocities of the nodes. Then the nodes get the
-// forces of the following step, which has the length next_dt.
+// Particles move through [begin, begin + dt] with the present velocities of the nodes. Then, at its end, the
+// nodes get the forces that act from the middle of this step to the middle of the following one, which has
+// the length next_dt (leapfrog).
 #pragma once
 
 namespace tidewater::mpm {
@@ -14,6 +15,7 @@ struct Interval {
     bool settling = false;  // before time begins: ice does not fail and no boundary moves
 
     double end() const { return begin + dt; }
+    double force_dt() const { return 0.5 * (dt + next_dt); }  // s, for which the forces act
 };
 
 }  // namespace tidewater::mpm

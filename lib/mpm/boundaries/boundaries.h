@@ -88,8 +88,8 @@ bool rubs(const Boundaries<D>& boundaries) {
 template <int D>
 Mirrors<D> mirrors_of(const Boundaries<D>& boundaries);
 
-// The step that follows `interval`, as boundaries need to know it: the nodes have just got the forces of that
-// step. `dt` (s) is the time over which what works by rates acts: sponge, pressure, sliding.
+// The step that follows `interval`, as boundaries need to know it: the nodes have just got their forces. `dt`
+// (s) is the time over which what works by rates acts: sponge, pressure, sliding.
 template <int D>
 BoundaryStep boundary_step(const Boundaries<D>& boundaries, const Interval& interval, double dt) {
     BoundaryStep step;

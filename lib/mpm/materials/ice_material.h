@@ -41,12 +41,15 @@ struct IceMaterial {
     // The speed of P waves, m/s.
     static double sound_speed(const IceModel& ice, const Findings&) { return ice.wave_speed(D); }
 
-    // The elastic energy of particle p, J.
-    static double stored_energy(const IceModel& ice, const Particles<D, Real>& particles, std::size_t p) {
-        std::array<double, static_cast<std::size_t>(symmetric_size<D>)> strain;
-        for (std::size_t c = 0; c < strain.size(); ++c)
-            strain[c] = static_cast<double>(particles.strain[c][p]);
-        return particles.volume * ice_energy<D>(ice, strain);
+    // The elastic energy of the particles first … first + count − 1, J.
+    static void stored_energy(const IceModel& ice, const Particles<D, Real>& particles, std::size_t first,
+                              int count, Column<double>& energy) {
+        for (int p = 0; p < count; ++p) {
+            std::array<double, static_cast<std::size_t>(symmetric_size<D>)> strain;
+            for (std::size_t c = 0; c < strain.size(); ++c)
+                strain[c] = static_cast<double>(particles.strain[c][first + static_cast<std::size_t>(p)]);
+            energy[p] = particles.volume * ice_energy<D>(ice, strain);
+        }
     }
 
     // What is wrong with the state of particle p, whose numbers are finite; null if nothing is. For ice that
@@ -76,7 +79,7 @@ struct IceMaterial {
         Step(const IceModel& model, double /*gravity*/, double cell_size, const Interval& interval)
             : ice(model),
               cells_per_speed(static_cast<Real>(interval.dt / cell_size)),
-              impulse(4.0 * interval.next_dt / cell_size),
+              impulse(4.0 * interval.force_dt() / cell_size),
               fracture(model.fracture && !interval.settling),
               end(static_cast<Real>(interval.end())) {}
 

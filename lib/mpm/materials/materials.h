@@ -7,9 +7,9 @@
 //     M::model(parameters)                   its constants in the parameters of a run
 //     M::make_columns(model, count, to)      makes the columns of Particles that it keeps, at rest
 //     M::sound_speed(model, findings)        max. speed of its waves, m/s
-//     M::stored_energy(model, particles, p)  elastic energy of one particle, J
-//     M::complaint(particles, p, may_fail)   what makes a state unusable
-//     M::Step(model, gravity, cell size, interval)  the constants of one step
+//     M::stored_energy(model, particles, first, count, energy)  elastic energy of a batch, particle by
+//     particle, J M::complaint(particles, p, may_fail)   what makes a state unusable M::Step(model, gravity,
+//     cell size, interval)  the constants of one step
 //         reads_crowding()                       whether the kernel reads the crowding lane
 //     M::Kernel{particles, step}             update(first, count, batch) of the pass, and its findings()
 //

@@ -76,14 +76,25 @@ inline double water_sound_speed_ratio(double j, int exponent) {
     return std::exp(-0.5 * (exponent - 1.0) * std::log1p(j));
 }
 
-// W(J), J/m³.
-inline double water_energy(double j, double bulk_modulus, int exponent) {
-    return bulk_modulus * (std::expm1((1.0 - exponent) * std::log1p(j)) / (exponent - 1.0) + j);
+// W(J), J/m³, for a whole batch. Without cancellation, with u = 1/J and n = θ − 1,
+//
+//     W = κw j² u/n · Σ_{m=0}^{n−1} (n − m) u^m
+inline void water_energy(const Column<double>& j, double bulk_modulus, int exponent, Column<double>& energy) {
+    const int n = exponent - 1;
+    Column<double> u;
+    for (int p = 0; p < batch_size; ++p) u[p] = 1.0 / (1.0 + j[p]);
+    for (int p = 0; p < batch_size; ++p) energy[p] = 1.0;
+    for (int m = n - 2; m >= 0; --m) {
+        for (int p = 0; p < batch_size; ++p) energy[p] = u[p] * energy[p] + (n - m);
+    }
+    for (int p = 0; p < batch_size; ++p) energy[p] *= bulk_modulus / n * u[p] * j[p] * j[p];
 }
 
-inline double water_energy(double j, const WaterModel& water) {
-    if (j > 0.0 && water.tension == WaterTension::separate) return 0.0;
-    return water_energy(j, water.bulk_modulus(), water.exponent);
+// The same, with the tension of the model.
+inline void water_energy(const Column<double>& j, const WaterModel& water, Column<double>& energy) {
+    water_energy(j, water.bulk_modulus(), water.exponent, energy);
+    if (water.tension == WaterTension::paper) return;
+    for (int p = 0; p < batch_size; ++p) energy[p] = j[p] > 0.0 ? 0.0 : energy[p];
 }
 
 // Water at rest under its own weight. The mass above depth h (m) is that of M metres of uncompressed water,

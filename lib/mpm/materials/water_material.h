@@ -68,9 +68,14 @@ struct WaterMaterial {
         return water.sound_speed * water_sound_speed_ratio(findings.min_j, water.exponent);
     }
 
-    // The elastic energy of particle p, J.
-    static double stored_energy(const WaterModel& water, const Particles<D, Real>& particles, std::size_t p) {
-        return particles.volume * water_energy(static_cast<double>(particles.j[p]), water);
+    // The elastic energy of the particles first … first + count − 1, J.
+    static void stored_energy(const WaterModel& water, const Particles<D, Real>& particles, std::size_t first,
+                              int count, Column<double>& energy) {
+        Column<double> j{};
+        for (int p = 0; p < count; ++p)
+            j[p] = static_cast<double>(particles.j[first + static_cast<std::size_t>(p)]);
+        water_energy(j, water, energy);
+        for (int p = 0; p < batch_size; ++p) energy[p] *= particles.volume;
     }
 
     // What is wrong with the state of particle p, whose numbers are finite; null if nothing is.
@@ -94,7 +99,7 @@ struct WaterMaterial {
               min_growth(static_cast<Real>(keeps_to_room(model) ? mpm::min_growth : -unbounded)),
               max_j(static_cast<Real>(keeps_to_room(model) ? mpm::max_j : unbounded)),
               crowding_rate(static_cast<Real>(mpm::crowding_rate(model, gravity, cell_size, interval.dt))),
-              impulse(4.0 * interval.next_dt / cell_size) {}
+              impulse(4.0 * interval.force_dt() / cell_size) {}
 
         // Whether the kernel reads ē from the tile's crowding lane.
         bool reads_crowding() const { return crowding_rate > Real(0); }

@@ -80,19 +80,25 @@ Vector<D, double> global_position(const Layout<D>& layout, const Index<D>& block
     return point;
 }
 
-// Calls visit(first, count, position) for the particles of a block, batch by batch. A batch consists of the
-// particles first … first + count − 1; `position` has one column per axis.
+// Calls visit(first, count, position) for the particles begin … end − 1, batch by batch. A batch consists of
+// the particles first … first + count − 1; `position` has one column per axis.
 template <int D, class Real, class Visit>
-void for_each_batch(const Particles<D, Real>& particles, std::size_t slot, const Visit& visit) {
+void for_each_batch(const Particles<D, Real>& particles, std::size_t begin, std::size_t end,
+                    const Visit& visit) {
     Column<Stored<Real>> position[D];
-    const std::size_t end = particles.begin[slot + 1];
-    for (std::size_t first = particles.begin[slot]; first < end; first += batch_size) {
+    for (std::size_t first = begin; first < end; first += batch_size) {
         const int count = static_cast<int>(std::min<std::size_t>(batch_size, end - first));
         for (std::size_t axis = 0; axis < D; ++axis) {
             load_column(particles.position[axis].data() + first, count, position[axis]);
         }
         visit(first, count, position);
     }
+}
+
+// The same for all particles of a block.
+template <int D, class Real, class Visit>
+void for_each_batch(const Particles<D, Real>& particles, std::size_t slot, const Visit& visit) {
+    for_each_batch(particles, particles.begin[slot], particles.begin[slot + 1], visit);
 }
 
 // Calls visit(block slot, block, particle) for all particles. Blocks are visited in parallel, the particles

@@ -1,5 +1,6 @@
 // What entered and left a simulation since the start. With it momentum and energy of the present state can be
-// balanced against those at the start (mpm/state/ledger.h).
+// balanced against those at the start (mpm/state/ledger.h). Mass and potential energy are those until the
+// state's `time`, all else until its `motion_time` (mpm/state/simulation.h).
 #pragma once
 
 #include <vector>
@@ -13,7 +14,9 @@ template <int D>
 struct Outflow {
     double mass = 0.0;                                       // kg
     Vector<D, double> momentum = Vector<D, double>::Zero();  // kg m/s
-    double energy = 0.0;                                     // J: kinetic, gravitational and elastic
+    double kinetic = 0.0;                                    // J
+    double potential = 0.0;                                  // J: gravitational and elastic
+    double energy() const { return kinetic + potential; }
 };
 
 template <int D>

@@ -4,6 +4,7 @@
 #include "mpm/bodies/lift.h"
 #include "mpm/materials/materials.h"
 #include "mpm/particles/motion.h"
+#include "mpm/particles/transfer_batch.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -17,34 +18,44 @@ void add(Ledger<D>& to, const Ledger<D>& from) {
     to.elastic += from.elastic;
 }
 
-template <int D, class Real>
-double stored_energy(const Parameters<D>& parameters, const Particles<D, Real>& particles, std::size_t p) {
-    double energy = 0.0;
-    with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
-        energy = M::stored_energy(M::model(parameters), particles, p);
-    });
-    return energy;
-}
-
 }  // namespace
 
 template <int D, class Real>
-Ledger<D> particle_ledger(const Parameters<D>& parameters, const Layout<D>& layout,
-                          const Particles<D, Real>& particles, const Index<D>& block, std::size_t p,
-                          const Tile<D, Real>& tile) {
-    const Vector<D, double> point = global_position(layout, block, particles, p);
-    Ledger<D> part;
-    part.mass = particles.mass;
-    part.gravitational = particles.mass * parameters.gravity * point[D - 1];
-    part.elastic = stored_energy(parameters, particles, p);
-    Vector<D, Real> v;
-    Matrix<D, Real> g;
-    gather<D, Real>(local_position<D, Real>(particles, p), tile.data(), v, g);
-    const Vector<D, double> velocity = v.template cast<double>();
-    const double affine = g.template cast<double>().squaredNorm();  // |Δx C|²
-    part.momentum = particles.mass * velocity;
-    part.kinetic = 0.5 * particles.mass * (velocity.squaredNorm() + 0.25 * affine);
-    return part;
+Ledger<D> ledger_of(const Parameters<D>& parameters, const Layout<D>& layout,
+                    const Particles<D, Real>& particles, const Index<D>& block, std::size_t first,
+                    std::size_t end, const Tile<D, Real>& tile) {
+    TransferBatch<D, Real> batch;
+    Column<double> elastic{};
+    Vector<D, double> velocity = Vector<D, double>::Zero();
+    double squares = 0.0, affine = 0.0, height = 0.0;  // Σ |v|², Σ |Δx C|², Σ z in cells above the block
+    Ledger<D> sum;
+    for_each_batch(particles, first, end, [&](std::size_t p0, int count, const auto* position) {
+        locate<D, Real>(position, batch.stencil);
+        gather_batch<D, Real>(tile.data()->data(), batch);
+        with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
+            M::stored_energy(M::model(parameters), particles, p0, count, elastic);
+        });
+        for (int p = 0; p < count; ++p) {
+            for (int axis = 0; axis < D; ++axis) {
+                const auto v = static_cast<double>(batch.vector[axis][p]);
+                velocity[axis] += v;
+                squares += v * v;
+            }
+            for (const auto& column : batch.gradient) {
+                const auto g = static_cast<double>(column[p]);
+                affine += g * g;
+            }
+            height += cells_of(position[D - 1][p]);
+            sum.elastic += elastic[p];
+        }
+    });
+    const auto count = static_cast<double>(end - first);
+    const double bottom = layout.first_node(block[D - 1]);
+    sum.mass = particles.mass * count;
+    sum.momentum = particles.mass * velocity;
+    sum.kinetic = 0.5 * particles.mass * (squares + 0.25 * affine);
+    sum.gravitational = particles.mass * parameters.gravity * layout.cell_size * (count * bottom + height);
+    return sum;
 }
 
 template <int D, class Real>
@@ -54,11 +65,10 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
         parallel_for(of_block.size(), [&](std::size_t slot) {
             if (particles.begin[slot] == particles.begin[slot + 1]) return;
             const Index<D> block = block_at<D>(s.grid.particle_blocks[slot]);
-            Tile<D, Real> tile;
+            alignas(64) Tile<D, Real> tile;
             load_velocities(s.grid, slot, tile.data());
-            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-                add(of_block[slot], particle_ledger(s.parameters, s.grid.layout, particles, block, p, tile));
-            }
+            add(of_block[slot], ledger_of(s.parameters, s.grid.layout, particles, block,
+                                          particles.begin[slot], particles.begin[slot + 1], tile));
         });
     }
     Ledger<D> total;
@@ -73,9 +83,9 @@ Ledger<D> take_ledger(const Simulation<D, Real>& s) {
     return total;
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                                    \
-    template Ledger<D> particle_ledger(const Parameters<D>&, const Layout<D>&, const Particles<D, Real>&, \
-                                       const Index<D>&, std::size_t, const Tile<D, Real>&);               \
+#define TIDEWATER_INSTANTIATE(D, Real)                                                              \
+    template Ledger<D> ledger_of(const Parameters<D>&, const Layout<D>&, const Particles<D, Real>&, \
+                                 const Index<D>&, std::size_t, std::size_t, const Tile<D, Real>&);  \
     template Ledger<D> take_ledger(const Simulation<D, Real>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 

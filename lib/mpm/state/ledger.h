@@ -7,8 +7,10 @@
 // where work is that of pushes and pistons, less what a sponge's damping took, and those of friction and
 // drag, which are negative.
 //
-// Velocities already contain the forces of the coming step (mpm/state/simulation.h). So kinetic energy is
-// ahead of the other two by its change in half a step, and the sum may seem to grow by up to that much.
+// Momentum and kinetic energy are those of the state's `motion_time`, half a step after its `time`, to which
+// the other two energies belong (mpm/state/simulation.h). Of one state the sum may therefore seem to grow by
+// the kinetic energy's change in half a step; rows of a run take each from two states at their own time
+// (stages/simulate/readings.h).
 //
 // Energies are in J (per metre of width in 2D). Kinetic energy is ½ m (|v|² + (Δx²/4)|C|²), which includes
 // the part that APIC keeps in C. Gravitational energy is m g z, from z = 0. Sums are in double, particle by
@@ -29,11 +31,12 @@ struct Ledger {
     double elastic = 0.0;                                    // J
 };
 
-// The contribution of one particle, with its velocity gathered from `tile`, the nodes around its block.
+// The contribution of the particles first … end − 1 of a block, with velocities gathered from `tile`, the
+// nodes around it.
 template <int D, class Real>
-Ledger<D> particle_ledger(const Parameters<D>& parameters, const Layout<D>& layout,
-                          const Particles<D, Real>& particles, const Index<D>& block, std::size_t p,
-                          const Tile<D, Real>& tile);
+Ledger<D> ledger_of(const Parameters<D>& parameters, const Layout<D>& layout,
+                    const Particles<D, Real>& particles, const Index<D>& block, std::size_t first,
+                    std::size_t end, const Tile<D, Real>& tile);
 
 // The sum over all particles and rigid bodies.
 template <int D, class Real>

@@ -1,9 +1,9 @@
 // The state of a run: all that a step reads and writes. mpm/step/step.h advances it.
 //
 // Between steps a particle keeps only its position and its strain; velocities are on the grid. Positions and
-// strains are those of `time`, while velocities already contain the forces of the following step `dt`
-// (symplectic Euler: first all velocities, then all positions). A simulation starts with dt = 0 and the
-// initial velocities.
+// strains are those of `time`, while velocities, and with them the accounts, are those of the middle of the
+// following step, `motion_time` = time + dt/2 (leapfrog). A simulation starts with dt = 0 and the initial
+// velocities.
 #pragma once
 
 #include <array>
@@ -71,7 +71,7 @@ struct Simulation {
     std::vector<RigidBody> rigid;
 
     double time = 0.0;  // s
-    double dt = 0.0;    // s, of the following step; velocities already contain its forces
+    double dt = 0.0;    // s, of the following step
     long step = 0;      // number of steps so far
     Speeds speeds;
     // [particle block] m/s, max. |v| of the nodes that its particles may feel; and cells, the longest way
@@ -86,6 +86,7 @@ struct Simulation {
     Settling settling;
     PhaseSeconds seconds{};  // wall time of each Phase
 
+    double motion_time() const { return time + 0.5 * dt; }  // s, of the velocities and the accounts
     std::size_t particle_count() const;
     Interval interval(double next_dt) const {
         return {.step = step, .begin = time, .dt = dt, .next_dt = next_dt, .settling = settling.going};

@@ -42,7 +42,8 @@ void visit_state(Simulation<D, Real>& s, const Visit& visit) {
     visit("drag_work", s.accounts.drag_work);
     visit("outflow.mass", s.accounts.outflow.mass);
     visit("outflow.momentum", s.accounts.outflow.momentum);
-    visit("outflow.energy", s.accounts.outflow.energy);
+    visit("outflow.kinetic", s.accounts.outflow.kinetic);
+    visit("outflow.potential", s.accounts.outflow.potential);
     visit("skimming.time", s.skimming.time);
     visit("skimming.due", s.skimming.due);
     long going = s.settling.going ? 1 : 0;

@@ -40,7 +40,7 @@ inline constexpr double min_share = (1.5 - wall_reach) * (1.5 - wall_reach) * (1
 
 // What contacts need to know of a step.
 struct ContactStep {
-    double dt = 0.0;             // s, the step whose forces the nodes' velocities have
+    double dt = 0.0;             // s, the step that these velocities move things by
     double force_dt = 0.0;       // s, for which gravity on bodies and drag have still to act
     double gravity = 0.0;        // m/s²
     double water_density = 0.0;  // kg/m³, ρw of the drag

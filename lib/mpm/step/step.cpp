@@ -53,14 +53,13 @@ std::vector<double> book_boundaries(const Interval& interval, const Simulation<D
     return node_speed;
 }
 
-// Adds gravity's impulse (kg m/s) on particles and rigid bodies over next_dt (s).
+// Adds gravity's impulse (kg m/s) on particles and rigid bodies over dt (s).
 template <int D, class Real>
-void book_gravity(const Simulation<D, Real>& s, double next_dt, double& gravity_impulse) {
+void book_gravity(const Simulation<D, Real>& s, double dt, double& gravity_impulse) {
     for (const auto& particles : s.bodies) {
-        gravity_impulse -=
-            particles.mass * static_cast<double>(particles.size()) * s.parameters.gravity * next_dt;
+        gravity_impulse -= particles.mass * static_cast<double>(particles.size()) * s.parameters.gravity * dt;
     }
-    for (const RigidBody& body : s.rigid) gravity_impulse -= body.mass * s.parameters.gravity * next_dt;
+    for (const RigidBody& body : s.rigid) gravity_impulse -= body.mass * s.parameters.gravity * dt;
 }
 
 }  // namespace
@@ -89,8 +88,9 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     // With several machines, the tiles of the neighbours' particles would arrive here, in the places that the
     // grid has for them.
 
-    const auto kick = static_cast<Real>(-s.parameters.gravity * next_dt);
-    BoundaryStep step = boundary_step(boundaries, interval, next_dt);
+    const double force_dt = interval.force_dt();
+    const auto kick = static_cast<Real>(-s.parameters.gravity * force_dt);
+    BoundaryStep step = boundary_step(boundaries, interval, force_dt);
     const NodeMatter<Real> matter = find_matter(boundaries, step, blocks.nodes, s.bodies, s.grid);
     const bool twice = s.parameters.transfer == Transfer::restored;
     std::vector<float> grip;
@@ -106,7 +106,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
         node_speed = book_boundaries(interval, s, results, blocks.nodes, s.accounts);
     };
     ContactStep contact{.dt = next_dt,
-                        .force_dt = next_dt,
+                        .force_dt = force_dt,
                         .gravity = s.parameters.gravity,
                         .water_density = s.parameters.water.density,
                         .held = interval.settling};
@@ -140,7 +140,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     }
 
     add_unfolding_impulse(blocks.particles, s.grid, wall_impulse);
-    book_gravity(s, next_dt, s.accounts.gravity_impulse);
+    book_gravity(s, force_dt, s.accounts.gravity_impulse);
     s.speeds.particle = 0.0;
     for (const double speed : node_speed) s.speeds.particle = std::max(s.speeds.particle, speed);
     for (const RigidBody& body : s.rigid) s.speeds.particle = std::max(s.speeds.particle, max_speed(body));

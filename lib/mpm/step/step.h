@@ -3,7 +3,7 @@
 //     sort        particles into blocks, only when one might leave its block's margin; before that, outlets
 //                 and sponges drain water (mpm/step/sort.h)
 //     pass        nodes → particles (G2P), strain and position advance by dt, particles → tiles (P2G)
-//                 with the forces of the coming step, all while a batch is in the cache (mpm/step/pass.h);
+//                 with the forces there, all while a batch is in the cache (mpm/step/pass.h);
 //                 then rigid bodies move by dt
 //     nodes       tiles → nodes, momentum → velocity, gravity (mpm/step/nodes.h)
 //     matter      which nodes are ice and which water, where a boundary tells them apart (mpm/step/matter.h)
@@ -25,8 +25,8 @@
 
 namespace tidewater::mpm {
 
-// Advances particles and bodies by s.dt, gives the velocities the forces of a step of next_dt (s), and sets
-// s.dt to next_dt. Forces may make something faster within a step than stable_time_step could know. That is
+// Advances particles and bodies by s.dt, gives the velocities the forces of (s.dt + next_dt)/2 (s), which take
+// them from the middle of that step to the middle of the next, and sets s.dt to next_dt. Forces may make something faster within a step than stable_time_step could know. That is
 // refused only where it would carry a particle beyond sorting_margin or turn its volume inside out
 // (BlockMotion in mpm/particles/motion.h). Throws NumericsError, which names step, phase and particle, if a
 // value is not finite, if a volume collapses (J ≤ 0), if a particle leaves the box, or if one moves by half a

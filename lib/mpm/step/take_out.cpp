@@ -10,18 +10,22 @@
 namespace tidewater::mpm {
 namespace {
 
-// Adds the particles `gone`, all of block `slot`, to the outflow.
+// Adds the particles `gone` (ascending), all of block `slot`, to the outflow.
 template <int D, class Real>
 void account(const Parameters<D>& parameters, const Grid<D, Real>& grid, const Particles<D, Real>& particles,
              std::size_t slot, std::span<const std::size_t> gone, Outflow<D>& outflow) {
     const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
-    Tile<D, Real> tile;
+    alignas(64) Tile<D, Real> tile;
     load_velocities(grid, slot, tile.data());
-    for (const std::size_t p : gone) {
-        const Ledger<D> part = particle_ledger(parameters, grid.layout, particles, block, p, tile);
+    for (std::size_t n = 0; n < gone.size();) {
+        const std::size_t first = gone[n];
+        std::size_t end = first;  // of a run without gaps
+        while (n < gone.size() && gone[n] == end) ++n, ++end;
+        const Ledger<D> part = ledger_of(parameters, grid.layout, particles, block, first, end, tile);
         outflow.mass += part.mass;
         outflow.momentum += part.momentum;
-        outflow.energy += part.kinetic + part.gravitational + part.elastic;
+        outflow.kinetic += part.kinetic;
+        outflow.potential += part.gravitational + part.elastic;
     }
 }
 

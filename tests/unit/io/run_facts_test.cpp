@@ -32,8 +32,8 @@ RunFacts example() {
     facts.particle_steps = 3'000'000;
     facts.simulated_s = 0.1 + 0.2;
     facts.time_step = {.min_s = 1e-4, .mean_s = 2e-4, .max_s = 3e-4, .last_s = 2e-4};
-    facts.time_step.steps_limited_by = {{"sound_in_water", 980}, {"falling", 19}, {"output", 1}};
-    facts.seconds = {{"sort", 0.02}, {"pass", 1.5}, {"output", 0.1}, {"total", 2.0}};
+    facts.time_step.steps_limited_by = {{"sound_in_water", 980}, {"falling", 19}, {"end", 1}};
+    facts.seconds = {{"sort", 0.02}, {"pass", 1.5}, {"frames", 0.1}, {"total", 2.0}};
     facts.ledger.first = {{"time", 0.0}, {"energy", 100.0}, {"gravity_impulse_z", 0.0}};
     facts.ledger.last = {{"time", 0.3}, {"energy", 97.5}, {"gravity_impulse_z", -50.0}};
     facts.ledger.energy_rise = 0.0;
@@ -113,7 +113,7 @@ TEST_CASE("the facts in words") {
     CHECK(particles_text(facts) ==
           "3000 particles (3000 of water) in 12 blocks, 2D, float, cell size 0.05 m");
     CHECK(cost_text(facts) == "1000 steps in 2 s on 2 threads: 1.5 million particle-steps/s");
-    CHECK(time_shares_text(facts) == "sort 1 %, pass 75 %, output 5 %");
+    CHECK(time_shares_text(facts) == "sort 1 %, pass 75 %, frames 5 %");
     CHECK(time_step_text(facts) == "mean 0.0002 s, 0.0001 to 0.0003 s, 0.0002 s at the end");
     CHECK(limited_by_text(facts) == "sound in water 98 %, falling 2 %");
     CHECK(ledger_text(facts) ==

@@ -116,3 +116,16 @@ TEST_CASE("gauges have the coordinates that their dimension needs, inside the ta
     CHECK(problem(water_scene_3d, {"simulate.pressure_gauges=[[2, 0.5]]"}).find("each needs [x, y, z]") !=
           std::string::npos);
 }
+
+TEST_CASE(
+    "rows without an interval of their own come ten to a snapshot, but not faster than sound crosses ten "
+    "cells") {
+    const auto interval = [](const Sets& sets) {
+        return row_interval(read_text_as_scene(block_scene, sets));
+    };
+    CHECK(interval({"simulate.gauge_interval=0.03"}) == 0.03);
+    CHECK(interval({"simulate.snapshot_interval=1", "water.sound_speed=100"}) == doctest::Approx(0.1));
+    CHECK(interval({"simulate.snapshot_interval=1.1", "water.sound_speed=100"}) == doctest::Approx(0.2));
+    // Cells of 0.01 m: 10 Δx/c = 0.004 s.
+    CHECK(interval({"simulate.snapshot_interval=0.01", "water.sound_speed=25"}) == doctest::Approx(0.005));
+}

@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE(
         CHECK(std::abs(lowest(s.rigid[0], 0.1)) < 1e-9);
         CHECK(s.rigid[0].velocity.norm() < 1e-9);
         CHECK(max_speed(s.rigid[0]) < 1e-9);
-        const double impulse = 9.81 * s.rigid[0].mass * (s.time + dt);  // that of the coming step counted
+        const double impulse = 9.81 * s.rigid[0].mass * s.motion_time();
         CHECK(s.accounts.wall_impulse[D - 1] == doctest::Approx(impulse).epsilon(1e-9));
     }
 }

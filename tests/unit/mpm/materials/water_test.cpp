@@ -6,6 +6,24 @@
 
 using namespace tidewater::mpm;
 
+namespace {
+
+double energy_at(double j, double bulk_modulus, int exponent) {
+    Column<double> column{}, energy;
+    column[0] = j;
+    water_energy(column, bulk_modulus, exponent, energy);
+    return energy[0];
+}
+
+double energy_at(double j, const WaterModel& water) {
+    Column<double> column{}, energy;
+    column[0] = j;
+    water_energy(column, water, energy);
+    return energy[0];
+}
+
+}  // namespace
+
 TEST_CASE("the default water has the paper's bulk modulus of 10 MPa") {
     CHECK(WaterModel{}.bulk_modulus() == doctest::Approx(1e7).epsilon(1e-12));
 }
@@ -25,10 +43,20 @@ TEST_CASE("water pressure is eq. 7 for any whole exponent, in float down to stra
 TEST_CASE("pressure is minus the slope of the stored energy") {
     const double h = 1e-5;
     for (const double j : {-0.2, -0.01, 0.0, 0.05}) {
-        const double slope = (water_energy(j + h, 1e7, 7) - water_energy(j - h, 1e7, 7)) / (2 * h);
+        const double slope = (energy_at(j + h, 1e7, 7) - energy_at(j - h, 1e7, 7)) / (2 * h);
         CHECK(-slope == doctest::Approx(water_pressure(j, 1e7, 7)).epsilon(1e-6).scale(1e5));
     }
-    CHECK(water_energy(0.0, 1e7, 7) == 0.0);
+    CHECK(energy_at(0.0, 1e7, 7) == 0.0);
+}
+
+TEST_CASE("the stored energy keeps its digits down to strains of 1e-9, for any whole exponent") {
+    for (const int theta : {2, 3, 7, 9}) {
+        for (const double j : {-0.3, -1e-2, 0.5}) {
+            const double exact = 1e7 * ((std::pow(1 + j, 1 - theta) - 1) / (theta - 1) + j);
+            CHECK(energy_at(j, 1e7, theta) == doctest::Approx(exact).epsilon(1e-11));
+        }
+        CHECK(energy_at(-1e-9, 1e7, theta) / (0.5e7 * theta * 1e-18) == doctest::Approx(1.0).epsilon(1e-7));
+    }
 }
 
 TEST_CASE("the sound speed is √(dp/dρ)") {
@@ -61,12 +89,12 @@ TEST_CASE("hydrostatic water balances J p = ρ g h, and is undeformed above the 
 TEST_CASE("stretched water pulls in the paper's way and opens in ours, with the energy that belongs to it") {
     WaterModel water;
     CHECK(water_pressure(0.01, water) == 0.0);
-    CHECK(water_energy(0.01, water) == 0.0);
+    CHECK(energy_at(0.01, water) == 0.0);
     CHECK(water_pressure(-0.01, water) == water_pressure(-0.01, water.bulk_modulus(), water.exponent));
-    CHECK(water_energy(-0.01, water) == water_energy(-0.01, water.bulk_modulus(), water.exponent));
+    CHECK(energy_at(-0.01, water) == energy_at(-0.01, water.bulk_modulus(), water.exponent));
     water.tension = WaterTension::paper;
     CHECK(water_pressure(0.01, water) == water_pressure(0.01, water.bulk_modulus(), water.exponent));
-    CHECK(water_energy(0.01, water) > 0.0);
+    CHECK(energy_at(0.01, water) > 0.0);
 }
 
 TEST_CASE("a column under its own weight: mass, depth and pressure agree") {

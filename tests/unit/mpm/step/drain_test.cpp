@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE("an outlet takes the water above its level beyond its edge an
         });
         const auto after = take_ledger(s);
         CHECK(after.mass + s.accounts.outflow.mass == doctest::Approx(before.mass));
-        CHECK(after.gravitational + after.elastic + after.kinetic + s.accounts.outflow.energy ==
+        CHECK(after.gravitational + after.elastic + after.kinetic + s.accounts.outflow.energy() ==
               doctest::Approx(before.gravitational + before.elastic + before.kinetic));
         const auto hash = state_hash(s);
         drain(s.parameters, s.grid, s.bodies, s.accounts.outflow);
