@@ -67,6 +67,39 @@ void for_each_row_to_a_wall(const Layout<D>& layout, const Index<D>& block, cons
     });
 }
 
+// The mass of each node of the surround as a share of a cell of water; infinity where its fill is unknown.
+template <int D, class Real>
+void load_masses(double water_density, const Grid<D, Real>& grid,
+                 const std::vector<std::uint8_t>& unknown_fill, std::size_t slot, Real* fill) {
+    constexpr Real unknown = std::numeric_limits<Real>::infinity();
+    const auto per_mass = static_cast<Real>(1.0 / (water_density * std::pow(grid.layout.cell_size, D)));
+    for_each_run<D>([&](int to, int neighbour, int node, int length) {
+        const auto block =
+            static_cast<std::size_t>(grid.nodes_of_tile[slot][static_cast<std::size_t>(neighbour)]);
+        const Node<Real>* nodes = grid.block_nodes(block) + node;
+        for (int n = 0; n < length; ++n) fill[to + n] = per_mass * nodes[n][mass_lane];
+        if (unknown_fill.empty()) return;
+        const std::uint8_t* marks =
+            unknown_fill.data() + block * Block<D>::nodes + static_cast<std::size_t>(node);
+        for (int n = 0; n < length; ++n) {
+            if (marks[n]) fill[to + n] = unknown;
+        }
+    });
+}
+
+// Writes the values of the tile's nodes into its crowding lane.
+template <int D, class Real>
+void to_tile(const Real* values, Node<Real>* tile) {
+    constexpr int tile_width = Block<D>::tile_width;
+    for (int row = 0; row < power(tile_width, D - 1); ++row) {
+        int from = 1;  // the tile begins one node inside
+        for (int axis = 0; axis < D - 1; ++axis) {
+            from += (index_along<D - 1>(row, tile_width, axis) + 1) * stride_of<D>(axis);
+        }
+        for (int n = 0; n < tile_width; ++n) tile[row * tile_width + n][crowding_lane] = values[from + n];
+    }
+}
+
 // Doubles the fill of nodes on a mirroring wall, since only half of such a node is in the tank.
 template <int D, class Real>
 void double_on_walls(const Layout<D>& layout, const Index<D>& block, Real* fill) {
@@ -230,37 +263,28 @@ template <int D, class Real>
 void load_crowding(double water_density, const Grid<D, Real>& grid, const std::vector<RigidBody>& rigid,
                    const std::vector<std::uint8_t>& unknown_fill, std::size_t slot, Node<Real>* tile) {
     constexpr int count = Surround<D>::count;
-    constexpr Real unknown = std::numeric_limits<Real>::infinity();
-    const auto per_mass = static_cast<Real>(1.0 / (water_density * std::pow(grid.layout.cell_size, D)));
-    alignas(64) Real e[count];
-    for_each_run<D>([&](int to, int neighbour, int node, int length) {
-        const auto block =
-            static_cast<std::size_t>(grid.nodes_of_tile[slot][static_cast<std::size_t>(neighbour)]);
-        const Node<Real>* nodes = grid.block_nodes(block) + node;
-        for (int n = 0; n < length; ++n) e[to + n] = per_mass * nodes[n][mass_lane];
-        if (unknown_fill.empty()) return;
-        const std::uint8_t* marks =
-            unknown_fill.data() + block * Block<D>::nodes + static_cast<std::size_t>(node);
-        for (int n = 0; n < length; ++n) {
-            if (marks[n]) e[to + n] = unknown;
-        }
-    });
+    alignas(64) Real e[count], water[count];
+    load_masses<D>(water_density, grid, unknown_fill, slot, e);
     const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
     double_on_walls<D>(grid.layout, block, e);
-    alignas(64) Real water[count];
     std::copy_n(e, count, water);
     add_bodies(grid.layout, rigid, block, e);
     fill_to_crowding<D>(water, e);
     reflect_in_walls<D>(grid.layout, block, e);
     smooth<D>(e);
-    constexpr int tile_width = Block<D>::tile_width;
-    for (int row = 0; row < power(tile_width, D - 1); ++row) {
-        int from = 1;  // the tile begins one node inside
-        for (int axis = 0; axis < D - 1; ++axis) {
-            from += (index_along<D - 1>(row, tile_width, axis) + 1) * stride_of<D>(axis);
-        }
-        for (int n = 0; n < tile_width; ++n) tile[row * tile_width + n][crowding_lane] = e[from + n];
-    }
+    to_tile<D>(e, tile);
+}
+
+template <int D, class Real>
+void load_fill(double water_density, const Grid<D, Real>& grid, const std::vector<RigidBody>& rigid,
+               std::size_t slot, Node<Real>* tile) {
+    alignas(64) Real fill[Surround<D>::count];
+    load_masses<D>(water_density, grid, {}, slot, fill);
+    const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
+    double_on_walls<D>(grid.layout, block, fill);
+    add_bodies(grid.layout, rigid, block, fill);
+    reflect_in_walls<D>(grid.layout, block, fill);
+    to_tile<D>(fill, tile);
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                                       \
@@ -268,7 +292,9 @@ void load_crowding(double water_density, const Grid<D, Real>& grid, const std::v
     template std::vector<std::uint8_t> find_unknown_fill(const Parameters<D>&, double, const Grid<D, Real>&, \
                                                          const std::vector<Particles<D, Real>>&);            \
     template void load_crowding(double, const Grid<D, Real>&, const std::vector<RigidBody>&,                 \
-                                const std::vector<std::uint8_t>&, std::size_t, Node<Real>*);
+                                const std::vector<std::uint8_t>&, std::size_t, Node<Real>*);                 \
+    template void load_fill(double, const Grid<D, Real>&, const std::vector<RigidBody>&, std::size_t,        \
+                            Node<Real>*);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

@@ -61,4 +61,9 @@ template <int D, class Real>
 void load_crowding(double water_density, const Grid<D, Real>& grid, const std::vector<RigidBody>& rigid,
                    const std::vector<std::uint8_t>& unknown_fill, std::size_t slot, Node<Real>* tile);
 
+// Writes φ into the crowding lane of the tile, whatever the mass is that of.
+template <int D, class Real>
+void load_fill(double water_density, const Grid<D, Real>& grid, const std::vector<RigidBody>& rigid,
+               std::size_t slot, Node<Real>* tile);
+
 }  // namespace tidewater::mpm

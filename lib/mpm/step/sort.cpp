@@ -11,6 +11,7 @@
 #include "mpm/step/drain.h"
 #include "mpm/step/failures.h"
 #include "mpm/step/skim.h"
+#include "mpm/step/spray.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -38,8 +39,9 @@ BlockStep step_of_block(const Grid<D, Real>& grid, const std::vector<Particles<D
 template <int D, class Real>
 void sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
                     const std::vector<double>& near_speed, Grid<D, Real>& grid,
-                    std::vector<Particles<D, Real>>& bodies, std::vector<std::uint8_t>& unknown_fill,
-                    std::vector<double>& drift, Skimming& skimming, Outflow<D>& outflow) {
+                    const std::vector<RigidBody>& rigid, std::vector<Particles<D, Real>>& bodies,
+                    std::vector<std::uint8_t>& unknown_fill, std::vector<double>& drift, Skimming& skimming,
+                    Outflow<D>& outflow) {
     std::vector<BlockStep> steps(grid.particle_blocks.size());
     parallel_for(steps.size(), [&](std::size_t slot) {
         steps[slot] = step_of_block(grid, bodies, slot, near_speed[slot], drift[slot], interval.dt);
@@ -62,14 +64,16 @@ void sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
         skim(parameters, interval.begin, grid, bodies, skimming, outflow);
     }
     sort_into_blocks<D, Real>(grid, bodies);
+    open_spray(parameters.water, grid, rigid, bodies);
     unknown_fill = find_unknown_fill(parameters, interval.begin, grid, bodies);
     drift.assign(grid.particle_blocks.size(), 0.0);
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                              \
     template void sort_if_needed(const Interval&, const Parameters<D>&, const std::vector<double>&, \
-                                 Grid<D, Real>&, std::vector<Particles<D, Real>>&,                  \
-                                 std::vector<std::uint8_t>&, std::vector<double>&, Skimming&, Outflow<D>&);
+                                 Grid<D, Real>&, const std::vector<RigidBody>&,                     \
+                                 std::vector<Particles<D, Real>>&, std::vector<std::uint8_t>&,      \
+                                 std::vector<double>&, Skimming&, Outflow<D>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 
 }  // namespace tidewater::mpm

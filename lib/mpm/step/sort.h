@@ -6,7 +6,8 @@
 // as fast, so where the nodes say yes the block's own particles are asked.
 //
 // Before that, outlets and sponges drain their water (mpm/step/drain.h, mpm/step/skim.h), except while the
-// scene settles. Afterwards the nodes with unknown fill are found anew (mpm/step/crowding.h).
+// scene settles. Afterwards lone water is opened (mpm/step/spray.h), and the nodes with unknown fill are
+// found anew (mpm/step/crowding.h).
 //
 // Tests: tests/unit/mpm/step/step_test.cpp, tests/unit/mpm/flight_test.cpp,
 // tests/unit/mpm/particles/binning_test.cpp.
@@ -18,7 +19,8 @@ namespace tidewater::mpm {
 
 // Sorts, if the motion of the step at hand, added to a block's drift, would pass sorting_margin.
 //     near_speed         [particle block] as in Simulation, m/s; of no use after a sort
-//     grid, bodies       reads velocities and positions; a sort writes blocks and the order of particles
+//     grid, bodies       reads velocities and positions; a sort writes blocks, the order of particles and the
+//                        volumes of lone ones
 //     unknown_fill       as in Simulation; a sort writes it
 //     drift              as in Simulation; a sort sets it to 0
 //     skimming, outflow  accounts of the water that is drained
@@ -27,7 +29,8 @@ namespace tidewater::mpm {
 template <int D, class Real>
 void sort_if_needed(const Interval& interval, const Parameters<D>& parameters,
                     const std::vector<double>& near_speed, Grid<D, Real>& grid,
-                    std::vector<Particles<D, Real>>& bodies, std::vector<std::uint8_t>& unknown_fill,
-                    std::vector<double>& drift, Skimming& skimming, Outflow<D>& outflow);
+                    const std::vector<RigidBody>& rigid, std::vector<Particles<D, Real>>& bodies,
+                    std::vector<std::uint8_t>& unknown_fill, std::vector<double>& drift, Skimming& skimming,
+                    Outflow<D>& outflow);
 
 }  // namespace tidewater::mpm

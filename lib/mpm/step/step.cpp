@@ -13,6 +13,7 @@
 #include "mpm/step/pass.h"
 #include "mpm/step/restore.h"
 #include "mpm/step/slow_columns.h"
+#include "mpm/step/soften.h"
 #include "mpm/step/sort.h"
 
 namespace tidewater::mpm {
@@ -71,15 +72,16 @@ void advance(Simulation<D, Real>& s, double next_dt) {
     Vector<D, double>& wall_impulse = s.accounts.wall_impulse;
     PhaseClock clock(s.seconds);
 
-    sort_if_needed(interval, s.parameters, s.near_speed, s.grid, s.bodies, s.unknown_fill, s.drift,
+    sort_if_needed(interval, s.parameters, s.near_speed, s.grid, s.rigid, s.bodies, s.unknown_fill, s.drift,
                    s.skimming, s.accounts.outflow);
     clock.charge(Phase::sort);
 
     // With several rates, only the blocks that are due would be listed here.
     const StepBlocks blocks = all_blocks(s.grid);
-    const PassFindings findings = pass_over_blocks(interval, s.parameters, blocks.particles, s.rigid,
-                                                   s.unknown_fill, s.grid, s.bodies, s.drift, wall_impulse);
+    PassFindings findings = pass_over_blocks(interval, s.parameters, blocks.particles, s.rigid,
+                                             s.unknown_fill, s.grid, s.bodies, s.drift, wall_impulse);
     s.speeds.sound = fastest_sound(s.parameters, s.bodies, findings.all).sound;
+    soften_signals(s.parameters, s.grid, s.bodies, findings.of_block);
     if (!interval.settling) {
         for (RigidBody& body : s.rigid) move_rigid_body(interval.dt, body);  // the pass reads the old place
     }

@@ -1,6 +1,7 @@
 // How long the next step may be.
 //
-//     Δt ≤ cfl Δx/max_b (c_b + v_b)    over blocks of particles: c_b: max. sound speed of its materials,
+//     Δt ≤ cfl Δx/max_b (c_b + v_b)    over blocks of particles: c_b: max. sound speed of its materials, or a
+//                                      mean where a little water is stiff (mpm/step/soften.h);
 //                                      v_b: max. speed of the nodes that its particles may feel
 //     v Δt + g Δt² ≤ 0.4 Δx            v: max. speed of all nodes and of rigid bodies
 //
