@@ -165,7 +165,7 @@ void append_failure(const mpm::IceModel& ice, const mpm::Particles<D, Real>& par
         if (!particles.alpha.empty()) {
             alpha = static_cast<float>(particles.alpha[p]);
             const double angle = ice.hardening * std::max(-static_cast<double>(particles.alpha[p]), 0.0);
-            damage = static_cast<float>(std::max(1.0 - std::sinh(std::min(angle, limit)) / whole, 0.0));
+            if (angle < limit) damage = static_cast<float>(1.0 - std::sinh(angle) / whole);
             if (std::isfinite(particles.failure_time[p]))
                 failed = static_cast<float>(particles.failure_time[p]);
         }

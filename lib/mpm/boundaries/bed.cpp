@@ -105,15 +105,14 @@ template <int D>
 std::optional<typename Bed<D>::UnderBlock> Bed<D>::Acting::on(const Index<D>& block) const {
     if (!bed.exists()) return {};
     UnderBlock under{layout, bed.rule, dt, block, {}};
-    double max_top = 0.0;
     for (int n = 0; n < power(Block<D>::width, across); ++n) {
         Index<across> column = index_of<across>(n, Block<D>::width);
         for (std::size_t axis = 0; axis < across; ++axis) column[axis] += layout.first_node(block[axis]);
         Ground& ground = under.columns[static_cast<std::size_t>(n)];
         ground = bed.ground(layout, column);
-        max_top = n == 0 ? ground.top : std::max(max_top, ground.top);
+        under.top = n == 0 ? ground.top : std::max(under.top, ground.top);
     }
-    if (layout.cell_size * layout.first_node(block[D - 1]) >= max_top) return {};
+    if (layout.cell_size * layout.first_node(block[D - 1]) >= under.top) return {};
     return under;
 }
 

@@ -64,6 +64,11 @@ struct Bed {
         double dt;
         Index<D> block;
         std::array<Ground, static_cast<std::size_t>(power(Block<D>::width, across))> columns;
+        double top = 0.0;  // m, the highest of the columns
+
+        void narrow(const Index<D>&, NodeBox<D>& box) const {
+            box.narrow(block, D - 1, -1e9, std::ceil(top / layout.cell_size));
+        }
 
         template <class Real>
         void act(const NodeAt<D>& at, Node<Real>& velocity, WallAction<D>& action) const {

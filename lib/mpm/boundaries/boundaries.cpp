@@ -33,13 +33,15 @@ bool tells_matter(const ActingBoundaries<D>& acting, const Index<D>& block) {
 template <int D, class Real>
 WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D>& acting,
                                const Index<D>& block, const BlockMatter<Real>& matter, float* grip,
-                               Node<Real>* nodes) {
+                               Node<Real>* nodes, const NodeBox<D>& box) {
     WallAction<D> all;
     const auto apply = [&](const auto& boundary) {
         const auto here = boundary.on(block);
         if (!here) return;
+        NodeBox<D> own = box;
+        if constexpr (requires { here->narrow(block, own); }) here->narrow(block, own);
         WallAction<D> action;
-        action.impulse = change_nodes<D, Real>(nodes, [&](int n, Node<Real>& velocity) {
+        action.impulse = change_nodes<D, Real>(own, nodes, [&](int n, Node<Real>& velocity) {
             const NodeAt<D> at{.node = node_at(layout, block, n),
                                .matter = matter.of(n, velocity),
                                .grip = grip == nullptr ? nullptr : grip + n};
@@ -55,7 +57,7 @@ WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D
 #define TIDEWATER_INSTANTIATE(D, Real)                                                                  \
     template WallAction<D> apply_boundaries<D, Real>(const Layout<D>&, const ActingBoundaries<D>&,      \
                                                      const Index<D>&, const BlockMatter<Real>&, float*, \
-                                                     Node<Real>*);
+                                                     Node<Real>*, const NodeBox<D>&);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
 template bool tells_matter<2>(const ActingBoundaries<2>&, const Index<2>&);
 template bool tells_matter<3>(const ActingBoundaries<3>&, const Index<3>&);

@@ -6,6 +6,8 @@
 //         on(block)                          what it does in one block of nodes, as a pointer or optional
 //                                            that is empty where it does nothing: an object with
 //             act(at, velocity, action)          changes one node and adds the work that this takes
+//             narrow(block, box)                   leaves of a box of nodes in the block what it may change;
+//                                                optional, and only to save time
 //
 // and, where there is anything to say,
 //
@@ -130,9 +132,10 @@ bool tells_matter(const ActingBoundaries<D>& acting, const Index<D>& block);
 //     matter  what the nodes are made of
 //     grip    the grip of each node (NodeAt), or null
 //     nodes   the Block<D>::nodes nodes of the block
+//     box     holds those of them that have mass
 template <int D, class Real>
 WallAction<D> apply_boundaries(const Layout<D>& layout, const ActingBoundaries<D>& acting,
                                const Index<D>& block, const BlockMatter<Real>& matter, float* grip,
-                               Node<Real>* nodes);
+                               Node<Real>* nodes, const NodeBox<D>& box = NodeBox<D>::all());
 
 }  // namespace tidewater::mpm

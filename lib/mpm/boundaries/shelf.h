@@ -34,6 +34,10 @@ struct Shelf {
                                 layout.first_node(block[D - 1]) <= top;
             return inside ? this : nullptr;
         }
+        void narrow(const Index<D>& block, NodeBox<D>& box) const {
+            box.narrow(block, 0, -1e9, last);
+            box.narrow(block, D - 1, -1e9, top);
+        }
         bool tells_matter(const Index<D>& block) const {
             return shelf.rule.tells_matter() && on(block) != nullptr;
         }

@@ -38,6 +38,9 @@ struct Sponge {
             const double end = layout.cell_size * (layout.first_node(block[0]) + Block<D>::width);
             return sponge.exists() && end > sponge.from ? this : nullptr;
         }
+        void narrow(const Index<D>& block, NodeBox<D>& box) const {
+            box.narrow(block, 0, sponge.from / layout.cell_size, 1e9);
+        }
         // The work is the change of the nodes' kinetic energy, which is never above zero.
         template <class Real>
         void act(const NodeAt<D>& at, Node<Real>& at_node, WallAction<D>& action) const {

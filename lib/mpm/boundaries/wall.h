@@ -86,19 +86,25 @@ void apply_rule(WallRule rule, int axis, int outward, Node<Real>& velocity) {
     }
 }
 
-// Calls change(n, node) for each node n of a block that has mass. Returns the impulse that the changes of
-// velocity gave to the nodes, kg m/s.
+// Calls change(n, node) for each node n of a block that lies in the box and has mass. Returns the impulse
+// that the changes of velocity gave to the nodes, kg m/s.
 template <int D, class Real, class Change>
-Vector<D, double> change_nodes(Node<Real>* nodes, const Change& change) {
+Vector<D, double> change_nodes(const NodeBox<D>& box, Node<Real>* nodes, const Change& change) {
     Vector<D, double> impulse = Vector<D, double>::Zero();
-    for (int n = 0; n < Block<D>::nodes; ++n) {
+    const auto change_one = [&](int n) {
         Node<Real>& node = nodes[n];
-        if (!(node[mass_lane] > Real(0))) continue;
-        const Vector<D, double> before = node.template head<D>().template cast<double>().matrix();
+        if (!(node[mass_lane] > Real(0))) return;
+        const Node<Real> before = node;
         change(n, node);
-        const Vector<D, double> after = node.template head<D>().template cast<double>().matrix();
-        impulse += static_cast<double>(node[mass_lane]) * (after - before);
-    }
+        if ((node == before).all()) return;  // most nodes of a block that a wall meets
+        const auto velocity = [](const Node<Real>& of) {
+            return of.template head<D>().template cast<double>().matrix();
+        };
+        impulse += static_cast<double>(node[mass_lane]) * (velocity(node) - velocity(before));
+    };
+    box.for_each_run([&](int first, int count) {
+        for (int n = first; n < first + count; ++n) change_one(n);
+    });
     return impulse;
 }
 

@@ -21,6 +21,8 @@ struct Walls : std::array<std::array<WallRule, 2>, static_cast<std::size_t>(D)> 
         bool left_wall_moves;
 
         const Acting* on(const Index<D>& block) const;
+        // Of a block at one wall alone the nodes on it and beyond it; else all.
+        void narrow(const Index<D>& block, NodeBox<D>& box) const;
         template <class Real>
         void act(const NodeAt<D>& at, Node<Real>& velocity, WallAction<D>&) const {
             for (std::size_t axis = 0; axis < D; ++axis) {

@@ -149,12 +149,33 @@ void activate(Grid<D, Real>& grid, std::vector<BlockKey> particle_blocks) {
     grid.tiles.resize(grid.particle_blocks.size() * Block<D>::tile_size);
     grid.nodes.assign(grid.node_blocks.size() * Block<D>::nodes, Node<Real>::Zero());
     keep_nodes(old_blocks, old_nodes, grid);
+    grid.linked_anew = true;
+}
+
+template <int D>
+NodeBox<D> reached_nodes(
+    const std::array<int, static_cast<std::size_t>(Block<D>::neighbours)>& tiles_of_node) {
+    constexpr int width = Block<D>::width;
+    // Of the neighbour before, in the middle and behind along an axis.
+    constexpr int begin[] = {0, 0, width - 1}, end[] = {Block<D>::tile_width - width - 1, width, width};
+    NodeBox<D> box;
+    box.begin.fill(width);
+    for (int k = 0; k < Block<D>::neighbours; ++k) {
+        if (tiles_of_node[static_cast<std::size_t>(k)] < 0) continue;
+        for (int axis = 0; axis < D; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            const int side = neighbour_offset<D>(k, axis) + 1;
+            box.begin[a] = std::min(box.begin[a], begin[side]);
+            box.end[a] = std::max(box.end[a], end[side]);
+        }
+    }
+    return box;
 }
 
 template <int D, class Real>
 void sum_tiles(const typename Grid<D, Real>::Neighbours& tiles_of_node, const Node<Real>* tiles,
-               Node<Real>* nodes) {
-    std::fill_n(nodes, Block<D>::nodes, Node<Real>::Zero());
+               Node<Real>* nodes, const NodeBox<D>& box) {
+    box.for_each_run([&](int node, int count) { std::fill_n(nodes + node, count, Node<Real>::Zero()); });
     for_each_neighbour<D>([&]<int k> {
         if (tiles_of_node[k] < 0) return;
         const Node<Real>* tile = tiles + static_cast<std::size_t>(tiles_of_node[k]) * Block<D>::tile_size;
@@ -178,30 +199,39 @@ void load_tile(const Grid<D, Real>& grid, const std::vector<Node<Real>>& nodes, 
 }
 
 template <int D, class Real>
-void momentum_to_velocity(Real kick, Node<Real>* nodes) {
+void momentum_to_velocity(Real kick, Node<Real>* nodes, const NodeBox<D>& box) {
     using R = Row<Real>;
     R kicks{}, only_mass{};
     for (int n = 0; n < lanes; ++n) {
         if (n % 4 == D - 1) kicks[n] = kick;
         if (n % 4 == mass_lane) only_mass[n] = Real(1);
     }
-    Real* at = nodes->data();
-    for (int n = 0; n < 4 * Block<D>::nodes; n += lanes) {
-        const R row = load_row<Real>(at + n);
+    const auto turn = [&](Real* at) {
+        const R row = load_row<Real>(at);
         const R mass =
             __builtin_shufflevector(row, row, 3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
         const R velocity = row / mass + kicks;
         const R moving = only_mass != R{} ? row : velocity;
-        store(mass > R{} + std::numeric_limits<Real>::min() ? moving : R{}, at + n);
-    }
+        store(mass > R{} + std::numeric_limits<Real>::min() ? moving : R{}, at);
+    };
+    NodeBox<D> rows = box;  // widened to whole rows of four nodes
+    int &begin = rows.begin[D - 1], &end = rows.end[D - 1];
+    begin = begin / 4 * 4;
+    end = (end + 3) / 4 * 4;
+    rows.for_each_run([&](int node, int count) {
+        for (int n = node; n < node + count; n += 4) turn(nodes[n].data());
+    });
 }
 
-#define TIDEWATER_INSTANTIATE(D, Real)                                                                  \
-    template void momentum_to_velocity<D, Real>(Real, Node<Real>*);                                     \
-    template void activate(Grid<D, Real>&, std::vector<BlockKey>);                                      \
-    template void sum_tiles<D, Real>(const Grid<D, Real>::Neighbours&, const Node<Real>*, Node<Real>*); \
+#define TIDEWATER_INSTANTIATE(D, Real)                                                                 \
+    template void momentum_to_velocity<D, Real>(Real, Node<Real>*, const NodeBox<D>&);                 \
+    template void activate(Grid<D, Real>&, std::vector<BlockKey>);                                     \
+    template void sum_tiles<D, Real>(const Grid<D, Real>::Neighbours&, const Node<Real>*, Node<Real>*, \
+                                     const NodeBox<D>&);                                               \
     template void load_tile(const Grid<D, Real>&, const std::vector<Node<Real>>&, std::size_t, Node<Real>*);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
+template NodeBox<2> reached_nodes<2>(const std::array<int, Block<2>::neighbours>&);
+template NodeBox<3> reached_nodes<3>(const std::array<int, Block<3>::neighbours>&);
 template BlockKey block_key<2>(const Index<2>&);
 template BlockKey block_key<3>(const Index<3>&);
 template Index<2> block_at<2>(BlockKey);

@@ -9,7 +9,9 @@
 // Test: tests/unit/mpm/grid/grid_test.cpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,6 +59,38 @@ BlockKey block_key(const Index<D>& block);
 template <int D>
 Index<D> block_at(BlockKey key);
 
+// A box of nodes within a block: those from begin to end − 1 along each axis.
+template <int D>
+struct NodeBox {
+    Index<D> begin{}, end{};
+
+    static NodeBox all() {
+        NodeBox box;
+        box.end.fill(Block<D>::width);
+        return box;
+    }
+    // Only nodes from `first` to `last` along an axis, counted in the box of the scene, are left; `block` is
+    // what block_at returns.
+    void narrow(const Index<D>& block, std::size_t axis, double first, double last) {
+        const double origin = Layout<D>::first_node(block[axis]);
+        begin[axis] = static_cast<int>(std::max<double>(begin[axis], std::ceil(first - origin)));
+        end[axis] = static_cast<int>(std::min<double>(end[axis], std::floor(last - origin) + 1.0));
+    }
+    // Calls visit(number in the block of a node, count) for the runs of nodes along the last axis, in order.
+    template <class Visit>
+    void for_each_run(const Visit& visit) const {
+        constexpr int width = Block<D>::width, z = D - 1;
+        const int count = end[z] - begin[z];
+        for (int x = begin[0]; x < end[0]; ++x) {
+            if constexpr (D == 2) {
+                visit(x * width + begin[z], count);
+            } else {
+                for (int y = begin[1]; y < end[1]; ++y) visit((x * width + y) * width + begin[z], count);
+            }
+        }
+    }
+};
+
 template <int D, class Real>
 struct Grid {
     using Neighbours = std::array<int, static_cast<std::size_t>(Block<D>::neighbours)>;
@@ -71,6 +105,8 @@ struct Grid {
     std::vector<Neighbours> tiles_of_node;
     std::vector<Node<Real>> tiles;  // [particle block][Block<D>::tile_size]: momentum and mass
     std::vector<Node<Real>> nodes;  // [node block][Block<D>::nodes]: velocity and mass
+    // Nodes that no tile reaches are zero, unless blocks were linked anew since the last sum.
+    bool linked_anew = true;
 
     Node<Real>* tile(std::size_t slot) { return tiles.data() + slot * Block<D>::tile_size; }
     Node<Real>* block_nodes(std::size_t slot) { return nodes.data() + slot * Block<D>::nodes; }
@@ -82,12 +118,20 @@ struct Grid {
 template <int D, class Real>
 void activate(Grid<D, Real>& grid, std::vector<BlockKey> particle_blocks);
 
+// The nodes of a block that its own and its neighbours' tiles reach. Half of all blocks have no particles of
+// their own, so that the work on their nodes is that on a row or two.
+//     tiles_of_node   entry of Grid::tiles_of_node for this block
+template <int D>
+NodeBox<D> reached_nodes(
+    const std::array<int, static_cast<std::size_t>(Block<D>::neighbours)>& tiles_of_node);
+
 // Sums the tiles that reach a block of nodes into `nodes`, neighbour by neighbour in the order of offsets.
 //     tiles_of_node   entry of Grid::tiles_of_node for this block
 //     tiles           Grid::tiles, or another array with its layout
+//     box             holds the nodes that they reach; the others stay what they are
 template <int D, class Real>
 void sum_tiles(const typename Grid<D, Real>::Neighbours& tiles_of_node, const Node<Real>* tiles,
-               Node<Real>* nodes);
+               Node<Real>* nodes, const NodeBox<D>& box = NodeBox<D>::all());
 
 // Copies the nodes around particle block `slot` into `tile`, which has Block<D>::tile_size nodes.
 //     nodes   [node block][Block<D>::nodes], e.g. grid.nodes
@@ -95,9 +139,9 @@ template <int D, class Real>
 void load_tile(const Grid<D, Real>& grid, const std::vector<Node<Real>>& nodes, std::size_t slot,
                Node<Real>* tile);
 
-// Turns the momenta of one block's nodes into velocities and adds `kick` (m/s) to their last component. Nodes
-// without mass become zero.
+// Turns the momenta of one block's nodes, at least of those in `box`, into velocities and adds `kick` (m/s)
+// to their last component. Nodes without mass become zero.
 template <int D, class Real>
-void momentum_to_velocity(Real kick, Node<Real>* nodes);
+void momentum_to_velocity(Real kick, Node<Real>* nodes, const NodeBox<D>& box = NodeBox<D>::all());
 
 }  // namespace tidewater::mpm

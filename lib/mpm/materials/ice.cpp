@@ -104,14 +104,20 @@ unsigned ice_stress(const IceConstants<D, Real>& ice, const Column<Real>* __rest
 }
 
 template <int D>
+void ice_energy(const IceModel& model, const Column<double>* __restrict strain, Column<double>& energy) {
+    const double half_mu = 0.5 * model.shear_modulus() * D, quarter_kappa = 0.25 * model.bulk_modulus(D);
+    for (int p = 0; p < batch_size; ++p) {
+        const Split<D, double> b = split<D>(strain, p);
+        energy[p] = half_mu * shear_stretch(b) + quarter_kappa * (b.volume - lane_log1p(b.volume));
+    }
+}
+
+template <int D>
 double ice_energy(const IceModel& model, const std::array<double, symmetric_size<D>>& strain) {
-    Column<double> lane[symmetric_size<D>];
-    for (int c = 0; c < symmetric_size<D>; ++c) lane[c][0] = strain[static_cast<std::size_t>(c)];
-    const Split<D, double> b = split<D>(lane, 0);
-    const double log_j2 = std::log1p(b.volume);
-    // J^(−2/d) tr b / d = exp(ln(1 + mean) − ln(J²)/d).
-    return 0.5 * model.shear_modulus() * D * std::expm1(std::log1p(b.mean) - log_j2 / D) +
-           0.25 * model.bulk_modulus(D) * (b.volume - log_j2);
+    Column<double> columns[symmetric_size<D>]{}, energy;
+    for (std::size_t c = 0; c < strain.size(); ++c) columns[c][0] = strain[c];
+    ice_energy<D>(model, columns, energy);
+    return energy[0];
 }
 
 #define TIDEWATER_INSTANTIATE(D, Real)                                                            \
@@ -120,6 +126,8 @@ double ice_energy(const IceModel& model, const std::array<double, symmetric_size
     template unsigned ice_stress<D, Real>(const IceConstants<D, Real>&, const Column<Real>*, int, \
                                           Column<Real>*);
 TIDEWATER_FOR_EACH_KIND(TIDEWATER_INSTANTIATE)
+template void ice_energy<2>(const IceModel&, const Column<double>*, Column<double>&);
+template void ice_energy<3>(const IceModel&, const Column<double>*, Column<double>&);
 template double ice_energy<2>(const IceModel&, const std::array<double, 3>&);
 template double ice_energy<3>(const IceModel&, const std::array<double, 6>&);
 

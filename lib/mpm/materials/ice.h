@@ -109,7 +109,11 @@ template <int D, class Real>
 unsigned ice_stress(const IceConstants<D, Real>& ice, const Column<Real>* strain, int count,
                     Column<Real>* kirchhoff);
 
-// W (J/m³) of one strain with J > 0, without cancellation down to strains of 1e-7.
+// W (J/m³) of a whole batch of strains ε with J > 0 in symmetric_size<D> columns, without cancellation down
+// to strains of 1e-7.
+template <int D>
+void ice_energy(const IceModel& model, const Column<double>* strain, Column<double>& energy);
+// The same for one strain.
 template <int D>
 double ice_energy(const IceModel& model, const std::array<double, symmetric_size<D>>& strain);
 

@@ -100,6 +100,20 @@ inline Real stretch2_minus_1(Real volume) {
     return volume / (Real(1) + t + t * t);
 }
 
+// J^(−2/d) tr b/d − 1, without cancellation: with a = 1 + mean and t = J^(2/d) it is (a − t)/t, and
+// a^d − t^d = −a^d (det(I + dev/a) − 1).
+template <int D, class Real>
+inline Real shear_stretch(const Split<D, Real>& b) {
+    const Real a = Real(1) + b.mean, j2 = Real(1) + b.volume;
+    const Real fall = distortion<D>(b.dev, b.dev2, Real(1) / a);
+    if constexpr (D == 2) {
+        const Real t = lane_sqrt(j2);
+        return -a * a * fall / (t * (a + t));
+    }
+    const Real inverse = inverse_cbrt(j2), t = j2 * inverse * inverse;
+    return -a * a * a * fall / (t * (a * a + a * t + t * t));
+}
+
 // Stores τ = shear dev b + pull I of particle p.
 template <int D, class Real>
 inline void store_stress(const Split<D, Real>& b, Real shear, Real pull, Column<Real>* kirchhoff, int p) {

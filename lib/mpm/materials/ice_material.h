@@ -44,12 +44,13 @@ struct IceMaterial {
     // The elastic energy of the particles first … first + count − 1, J.
     static void stored_energy(const IceModel& ice, const Particles<D, Real>& particles, std::size_t first,
                               int count, Column<double>& energy) {
-        for (int p = 0; p < count; ++p) {
-            std::array<double, static_cast<std::size_t>(symmetric_size<D>)> strain;
-            for (std::size_t c = 0; c < strain.size(); ++c)
-                strain[c] = static_cast<double>(particles.strain[c][first + static_cast<std::size_t>(p)]);
-            energy[p] = particles.volume * ice_energy<D>(ice, strain);
+        Column<double> strain[symmetric_size<D>]{};
+        for (std::size_t c = 0; c < particles.strain.size(); ++c) {
+            for (int p = 0; p < count; ++p)
+                strain[c][p] = static_cast<double>(particles.strain[c][first + static_cast<std::size_t>(p)]);
         }
+        ice_energy<D>(ice, strain, energy);
+        for (int p = 0; p < batch_size; ++p) energy[p] *= particles.volume;
     }
 
     // What is wrong with the state of particle p, whose numbers are finite; null if nothing is. For ice that

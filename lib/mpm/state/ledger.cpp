@@ -1,5 +1,8 @@
 #include "mpm/state/ledger.h"
 
+#include <iterator>
+#include <numeric>
+
 #include "mpm/base/instantiate.h"
 #include "mpm/bodies/lift.h"
 #include "mpm/materials/materials.h"
@@ -26,8 +29,9 @@ Ledger<D> ledger_of(const Parameters<D>& parameters, const Layout<D>& layout,
                     std::size_t end, const Tile<D, Real>& tile) {
     TransferBatch<D, Real> batch;
     Column<double> elastic{};
-    Vector<D, double> velocity = Vector<D, double>::Zero();
-    double squares = 0.0, affine = 0.0, height = 0.0;  // Σ |v|², Σ |Δx C|², Σ z in cells above the block
+    // Sums over batches of v, of |v|² + |Δx C|²/4 (m²/s²), of heights in cells above the block and of elastic
+    // energies, lane by lane because sums over lanes would not vectorise.
+    Column<double> velocity[D]{}, squares{}, height{}, energy{};
     Ledger<D> sum;
     for_each_batch(particles, first, end, [&](std::size_t p0, int count, const auto* position) {
         locate<D, Real>(position, batch.stencil);
@@ -35,26 +39,35 @@ Ledger<D> ledger_of(const Parameters<D>& parameters, const Layout<D>& layout,
         with_material<D, Real>(particles.material, [&]<class M>(std::type_identity<M>) {
             M::stored_energy(M::model(parameters), particles, p0, count, elastic);
         });
-        for (int p = 0; p < count; ++p) {
-            for (int axis = 0; axis < D; ++axis) {
+        for (int axis = 0; axis < D; ++axis) {
+            for (int p = 0; p < count; ++p) {
                 const auto v = static_cast<double>(batch.vector[axis][p]);
-                velocity[axis] += v;
-                squares += v * v;
+                velocity[axis][p] += v;
+                squares[p] += v * v;
             }
-            for (const auto& column : batch.gradient) {
+        }
+        for (const auto& column : batch.gradient) {
+            for (int p = 0; p < count; ++p) {
                 const auto g = static_cast<double>(column[p]);
-                affine += g * g;
+                squares[p] += 0.25 * g * g;
             }
-            height += cells_of(position[D - 1][p]);
-            sum.elastic += elastic[p];
+        }
+        for (int p = 0; p < count; ++p) {
+            height[p] += cells_of(position[D - 1][p]);
+            energy[p] += elastic[p];
         }
     });
+    const auto total = [](const Column<double>& of) {
+        return std::accumulate(std::begin(of.value), std::end(of.value), 0.0);
+    };
     const auto count = static_cast<double>(end - first);
     const double bottom = layout.first_node(block[D - 1]);
     sum.mass = particles.mass * count;
-    sum.momentum = particles.mass * velocity;
-    sum.kinetic = 0.5 * particles.mass * (squares + 0.25 * affine);
-    sum.gravitational = particles.mass * parameters.gravity * layout.cell_size * (count * bottom + height);
+    for (int axis = 0; axis < D; ++axis) sum.momentum[axis] = particles.mass * total(velocity[axis]);
+    sum.kinetic = 0.5 * particles.mass * total(squares);
+    sum.elastic = total(energy);
+    sum.gravitational =
+        particles.mass * parameters.gravity * layout.cell_size * (count * bottom + total(height));
     return sum;
 }
 

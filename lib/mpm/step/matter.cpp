@@ -5,6 +5,7 @@
 #include "mpm/base/instantiate.h"
 #include "mpm/grid/mirror.h"
 #include "mpm/particles/motion.h"
+#include "mpm/particles/transfer_batch.h"
 
 namespace tidewater::mpm {
 namespace {
@@ -31,12 +32,23 @@ void scatter_ice(const std::vector<Particles<D, Real>>& bodies, const Grid<D, Re
     for (const auto& particles : bodies) {
         if (particles.material != Material::ice) continue;
         const auto mass = static_cast<Real>(particles.mass);
-        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-            for_each_node<D, Real>(local_position(particles, p),
-                                   [&](int node, Real weight, const Vector<D, Real>&) {
-                                       tile[node][mass_lane] += mass * weight;
-                                   });
-        }
+        StencilBatch<D, Real> s;
+        for_each_batch(particles, slot, [&](std::size_t, int count, const auto* position) {
+            locate<D, Real>(position, s);
+            for (int p = 0; p < count; ++p) {
+                for (int row = 0; row < power(3, D - 1); ++row) {
+                    Real weight = mass;
+                    int node = 0;
+                    for (int axis = 0; axis < D - 1; ++axis) {
+                        const int offset = index_along<D - 1>(row, 3, axis);
+                        weight *= s.weight[axis][offset][p];
+                        node = node * Block<D>::tile_width + offset;
+                    }
+                    Node<Real>* at = tile + s.first[p] + node * Block<D>::tile_width;
+                    for (int n = 0; n < 3; ++n) at[n][mass_lane] += weight * s.weight[D - 1][n][p];
+                }
+            }
+        });
     }
     fold<D, Real>(grid.layout, block_at<D>(grid.particle_blocks[slot]), Parity::even, tile);
 }

@@ -132,6 +132,7 @@ void advance(Simulation<D, Real>& s, double next_dt) {
         bound_all();
     }
 
+    s.grid.linked_anew = false;
     if (twice) {
         restore_velocities(s.bodies, s.grid, wall_impulse);
         contact.force_dt = 0.0;  // the bodies have got it already

@@ -25,12 +25,13 @@
 
 namespace tidewater::mpm {
 
-// Advances particles and bodies by s.dt, gives the velocities the forces of (s.dt + next_dt)/2 (s), which take
-// them from the middle of that step to the middle of the next, and sets s.dt to next_dt. Forces may make something faster within a step than stable_time_step could know. That is
-// refused only where it would carry a particle beyond sorting_margin or turn its volume inside out
-// (BlockMotion in mpm/particles/motion.h). Throws NumericsError, which names step, phase and particle, if a
-// value is not finite, if a volume collapses (J ≤ 0), if a particle leaves the box, or if one moves by half a
-// cell in a step, its affine motion included.
+// Advances particles and bodies by s.dt, gives the velocities the forces of (s.dt + next_dt)/2 (s), which
+// take them from the middle of that step to the middle of the next, and sets s.dt to next_dt. Forces may make
+// something faster within a step than stable_time_step could know. That is refused only where it would carry
+// a particle beyond sorting_margin or turn its volume inside out (BlockMotion in mpm/particles/motion.h).
+// Throws NumericsError, which names step, phase and particle, if a value is not finite, if a volume collapses
+// (J ≤ 0), if a particle leaves the box, or if one moves by half a cell in a step, its affine motion
+// included.
 template <int D, class Real>
 void advance(Simulation<D, Real>& simulation, double next_dt);
 

@@ -109,9 +109,10 @@ TEST_CASE("a bed takes what goes into the ground along its own normal, and says 
         const auto acting = bed.acting(layout, {});
         const auto under = acting.on({2, 2});
         REQUIRE(under.has_value());
-        action.impulse = change_nodes<2, double>(nodes.data(), [&](int n, Node<double>& velocity) {
-            under->act({.node = node_at<2>(layout, {2, 2}, n)}, velocity, action);
-        });
+        action.impulse =
+            change_nodes<2, double>(NodeBox<2>::all(), nodes.data(), [&](int n, Node<double>& velocity) {
+                under->act({.node = node_at<2>(layout, {2, 2}, n)}, velocity, action);
+            });
         return nodes;
     };
     const auto at = [](const auto& nodes, int x, int z) -> Vector<2, double> {

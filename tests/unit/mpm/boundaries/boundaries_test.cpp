@@ -181,3 +181,47 @@ TEST_CASE(
     CHECK(push.velocity(8.0) == 3.0);
     CHECK(push.velocity(-1.0) == 0.0);
 }
+
+TEST_CASE("a boundary that leaves nodes out changes none of them") {
+    const Layout<2> layout{0.5, {70, 40}};
+    Boundaries<2> boundaries;
+    boundaries.walls = {{{WallRule::slip, WallRule::separate}, {WallRule::slip, WallRule::separate}}};
+    boundaries.shelf.end = 6.2;
+    boundaries.shelf.top = 3.4;
+    boundaries.sponge = {.from = 20.3, .width = 10.0, .rate = 2.0};
+    boundaries.bed.spacing = layout.cell_size;
+    boundaries.bed.points = {layout.cells[0] + 1};
+    for (int n = 0; n <= layout.cells[0]; ++n) boundaries.bed.heights.push_back(0.3 + 0.055 * n);
+    BoundaryStep step;
+    step.time = 0.0;
+    step.dt = 0.1;
+    const auto acting = acting_boundaries(layout, boundaries, step);
+    int narrowed = 0;
+    for (int n = 0; n < 7 * 5; ++n) {
+        const Index<2> block{1 + n / 5, 1 + n % 5};
+        const auto check = [&](const auto& boundary) {
+            const auto here = boundary.on(block);
+            if (!here) return;
+            if constexpr (requires(NodeBox<2> box) { here->narrow(block, box); }) {
+                NodeBox<2> box = NodeBox<2>::all();
+                here->narrow(block, box);
+                std::vector<bool> within(Block<2>::nodes, false);
+                box.for_each_run([&](int first, int count) {
+                    for (int node = first; node < first + count; ++node)
+                        within[static_cast<std::size_t>(node)] = true;
+                });
+                WallAction<2> action;
+                for (int node = 0; node < Block<2>::nodes; ++node) {
+                    Node<double> velocity(0.7, -0.4, 0.0, 2.0);
+                    here->act({.node = node_at(layout, block, node)}, velocity, action);
+                    const bool changed = (velocity != Node<double>(0.7, -0.4, 0.0, 2.0)).any();
+                    CHECK_MESSAGE(!(changed && !within[static_cast<std::size_t>(node)]), "block ", block[0],
+                                  " ", block[1], " node ", node);
+                    narrowed += !within[static_cast<std::size_t>(node)];
+                }
+            }
+        };
+        std::apply([&](const auto&... boundary) { (check(boundary), ...); }, acting);
+    }
+    CHECK(narrowed > 1000);
+}

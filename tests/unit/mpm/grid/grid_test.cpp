@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <initializer_list>
 
 #include "core/random.h"
@@ -76,4 +77,43 @@ TEST_CASE("momenta become velocities with the kick, and nodes without mass becom
     std::vector<Node<double>> flat(Block<2>::nodes, Node<double>(2.0, 4.0, 0.0, 2.0));
     momentum_to_velocity<2, double>(-0.5, flat.data());
     for (const auto& node : flat) CHECK((node == Node<double>(1.0, 1.5, 0.0, 2.0)).all());
+}
+
+TEST_CASE_TEMPLATE(
+    "the nodes that tiles reach are told, and sums and velocities of these alone are those of all", Dimension,
+    std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
+    constexpr int D = Dimension::value;
+    Grid<D, double> grid;
+    Index<D> cells;
+    cells.fill(8 * Block<D>::width);
+    grid.layout = Layout<D>{0.1, cells};
+    // Every second block or so, in disorder.
+    std::vector<BlockKey> blocks;
+    for (int n = 0; n < power(4, D); ++n) {
+        Index<D> block = index_of<D>(n, 4);
+        for (int& along : block) along += 2;
+        if (random_uniform(1, 0, static_cast<std::uint64_t>(n)) < 0.4) blocks.push_back(block_key<D>(block));
+    }
+    std::ranges::sort(blocks);
+    activate(grid, blocks);
+    CHECK(grid.linked_anew);
+    for (auto& node : grid.tiles) node.setOnes();
+    long reached = 0;
+    for (std::size_t slot = 0; slot < grid.node_blocks.size(); ++slot) {
+        const auto& tiles = grid.tiles_of_node[slot];
+        std::vector<Node<double>> all(Block<D>::nodes, Node<double>::Constant(7.0)), some(Block<D>::nodes);
+        sum_tiles<D, double>(tiles, grid.tiles.data(), all.data());
+        for (auto& node : some) node.setZero();
+        const NodeBox<D> box = reached_nodes<D>(tiles);
+        box.for_each_run([&](int first, int count) {
+            for (int n = first; n < first + count; ++n) some[static_cast<std::size_t>(n)].setConstant(7.0);
+            reached += count;
+        });
+        sum_tiles<D, double>(tiles, grid.tiles.data(), some.data(), box);
+        for (std::size_t n = 0; n < all.size(); ++n) CHECK((all[n] == some[n]).all());
+        momentum_to_velocity<D, double>(-0.5, all.data());
+        momentum_to_velocity<D, double>(-0.5, some.data(), box);
+        for (std::size_t n = 0; n < all.size(); ++n) CHECK((all[n] == some[n]).all());
+    }
+    CHECK(reached < 0.8 * static_cast<double>(grid.nodes.size()));
 }
