@@ -185,7 +185,7 @@ TEST_CASE(
 TEST_CASE("a boundary that leaves nodes out changes none of them") {
     const Layout<2> layout{0.5, {70, 40}};
     Boundaries<2> boundaries;
-    boundaries.walls = {{{WallRule::slip, WallRule::separate}, {WallRule::slip, WallRule::separate}}};
+    for (auto& axis : boundaries.walls) axis = {WallRule::slip, WallRule::separate};
     boundaries.shelf.end = 6.2;
     boundaries.shelf.top = 3.4;
     boundaries.sponge = {.from = 20.3, .width = 10.0, .rate = 2.0};
