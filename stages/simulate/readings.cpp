@@ -22,6 +22,7 @@ bool near_place(const mpm::Layout<D>& layout, const mpm::Index<D>& block, const 
 
 template <int D, class Real>
 std::vector<double> surface_at_gauges(const mpm::Simulation<D, Real>& s, const Instruments<D>& instruments) {
+    if (instruments.gauges.empty()) return {};
     std::vector<float> points, volume;
     for (const auto& particles : s.bodies) {
         if (particles.material != Material::water) continue;
