@@ -157,6 +157,13 @@ void check_times(Reading& reading) {
     if (!reading.usable({"simulate.end_time"})) return;
     const Scene& scene = reading.scene;
     const double end = scene.simulate.end_time;
+    constexpr double max_rows = 1e7;  // tables of gigabytes
+    const double rows = scene.simulate.gauge_interval;
+    if (reading.usable({"simulate.gauge_interval"}) && rows > 0.0 && end / rows > max_rows)
+        reading.report("simulate.gauge_interval",
+                       number_text(rows) + " s gives more than 10 million rows in the run of " +
+                           number_text(end) + " s (simulate.end_time); make it at least " +
+                           number_text(end / max_rows) + " s, or 0 for one that fits the scene");
     const double interval = scene.simulate.snapshot_interval;
     if (!reading.usable({"simulate.snapshot_interval"}) || interval <= end) return;
     reading.report("simulate.snapshot_interval", number_text(interval) + " s is longer than the run of " +

@@ -196,26 +196,56 @@ bool may_be_unknown(const Boundaries<D>& boundaries, const Layout<D>& layout,
     return unknown;
 }
 
-// Marks the nodes of a node block that solids in particle block `slot` reach, and those one cell further.
+// Marks the nodes of a node block that solids reach, and those one cell further: all within two of a node
+// that is the nearest of a particle.
 template <int D, class Real>
-void mark_solids(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies, std::size_t slot,
-                 const Index<D>& node_block, std::uint8_t* marks) {
-    constexpr int reach = 2, width = 2 * reach + 1;
-    const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
-    for (const auto& particles : bodies) {
-        if (particles.material == Material::water) continue;
-        for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
-            for (int k = 0; k < power(width, D); ++k) {
+void mark_solids(const Grid<D, Real>& grid, const std::vector<Particles<D, Real>>& bodies,
+                 std::size_t node_slot, std::uint8_t* marks) {
+    constexpr int reach = 2, width = Block<D>::width, side = width + 2 * reach, count = power(side, D);
+    std::array<std::uint8_t, static_cast<std::size_t>(count)>
+        near{};  // the block and `reach` nodes around it
+    const Index<D> node_block = block_at<D>(grid.node_blocks[node_slot]);
+    bool any = false;
+    for (const int tile : grid.tiles_of_node[node_slot]) {
+        if (tile < 0) continue;
+        const auto slot = static_cast<std::size_t>(tile);
+        const Index<D> block = block_at<D>(grid.particle_blocks[slot]);
+        for (const auto& particles : bodies) {
+            if (particles.material == Material::water) continue;
+            for (std::size_t p = particles.begin[slot]; p < particles.begin[slot + 1]; ++p) {
                 int node = 0;
-                for (std::size_t axis = 0; axis < D && node >= 0; ++axis) {
-                    const int offset = index_along<D>(k, width, static_cast<int>(axis)) - reach;
-                    const int n = nearest_node(particles.position[axis][p]) + offset +
-                                  (block[axis] - node_block[axis]) * Block<D>::width;
-                    node = n < 0 || n >= Block<D>::width ? -1 : node * Block<D>::width + n;
+                bool within = true;
+                for (std::size_t axis = 0; axis < D; ++axis) {
+                    const int n = nearest_node(particles.position[axis][p]) + reach +
+                                  (block[axis] - node_block[axis]) * width;
+                    within = within && n >= 0 && n < side;
+                    node = node * side + n;
                 }
-                if (node >= 0) marks[node] = 1;
+                if (!within) continue;
+                near[static_cast<std::size_t>(node)] = 1;
+                any = true;
             }
         }
+    }
+    if (!any) return;
+    for (int axis = 0; axis < D; ++axis) {  // spreads by `reach` along the axis
+        const int stride = power(side, D - 1 - axis);
+        for (int start = 0; start < count; start += stride * side) {
+            for (int first = start; first < start + stride; ++first) {
+                std::uint8_t row[side];
+                for (int n = 0; n < side; ++n) row[n] = near[static_cast<std::size_t>(first + n * stride)];
+                for (int n = reach; n < side - reach; ++n) {
+                    std::uint8_t mark = 0;
+                    for (int k = n - reach; k <= n + reach; ++k) mark |= row[k];
+                    near[static_cast<std::size_t>(first + n * stride)] = mark;
+                }
+            }
+        }
+    }
+    for (int n = 0; n < Block<D>::nodes; ++n) {
+        int from = 0;
+        for (int axis = 0; axis < D; ++axis) from = from * side + index_along<D>(n, width, axis) + reach;
+        marks[n] |= near[static_cast<std::size_t>(from)];
     }
 }
 
@@ -252,9 +282,7 @@ std::vector<std::uint8_t> find_unknown_fill(const Parameters<D>& parameters, dou
             });
             marks[n] = hidden;
         }
-        for (const int tile : tiles) {
-            if (tile >= 0) mark_solids(grid, bodies, static_cast<std::size_t>(tile), block, marks);
-        }
+        mark_solids(grid, bodies, slot, marks);
     });
     return unknown;
 }

@@ -129,3 +129,10 @@ TEST_CASE(
     // Cells of 0.01 m: 10 Δx/c = 0.004 s.
     CHECK(interval({"simulate.snapshot_interval=0.01", "water.sound_speed=25"}) == doctest::Approx(0.005));
 }
+
+TEST_CASE("rows that no disk would hold are refused, with an interval that is not") {
+    CHECK(set_problem("simulate.gauge_interval=1e-12") ==
+          "1e-12 s gives more than 10 million rows in the run of 10 s (simulate.end_time); make it at least "
+          "1e-06 s, or 0 for one that fits the scene");
+    CHECK(set_problem("simulate.gauge_interval=1e-06") == "");
+}
