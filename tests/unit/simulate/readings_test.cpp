@@ -66,6 +66,25 @@ TEST_CASE_TEMPLATE("a row of a falling body is that of its own time, whatever th
     CHECK(worst < 1e-6 * weight * height);
 }
 
+TEST_CASE("a falling block's rows are those of their own times from the first one on") {
+    auto start = test::long_ice_box<2>(12, 12, 9.81);
+    start.rigid.push_back({.size = {2.0, 2.0}, .center = {6.0, 8.0}});
+    auto s = mpm::make_simulation<2, double>(start);
+    auto before = read(s);
+    CHECK(before.bodies[0].velocity[2] == 0.0);
+    for (int n = 0; n < 50; ++n) {
+        mpm::advance(s, uneven(n));
+        const auto after = read(s);
+        if (after.time > before.time) {
+            const double t = before.time + 0.4 * (after.time - before.time);
+            const auto row = reading_between(before, after, t);
+            CHECK(row.bodies[0].velocity[2] == doctest::Approx(-9.81 * t).epsilon(1e-12));
+            CHECK(std::abs(row.bodies[0].center[2] - 8.0 + 0.5 * 9.81 * t * t) < 9.81 * 3e-4 * 3e-4);
+        }
+        before = after;
+    }
+}
+
 TEST_CASE("what balances in states balances in rows, and at a state's time its places are its own") {
     auto s = mpm::make_simulation<2, double>(test::dropped_block_start<2>());
     auto before = read(s);
