@@ -16,8 +16,8 @@ bool progress_due(const ProgressTold& told, bool terminal, double seconds, doubl
     return std::floor(10.0 * fraction) > told.tenth || first_left || seconds - told.seconds > 600.0;
 }
 
-Progress::Progress(std::string what, double done)
-    : what_(std::move(what)), done_(done), start_(Clock::now()), terminal_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what)
+    : what_(std::move(what)), start_(Clock::now()), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 void Progress::update(double fraction, const std::string& note) {
     const double seconds = elapsed();

@@ -19,17 +19,16 @@ bool progress_due(const ProgressTold& told, bool terminal, double seconds, doubl
 
 class Progress {
 public:
-    // `what` leads every line, e.g. "simulate". `done` is the fraction that was done before, in another
-    // process: the remaining time is told from what is done since.
-    explicit Progress(std::string what, double done = 0.0);
+    // `what` leads every line, e.g. "simulate". The work begins now; begin() says if it does not.
+    explicit Progress(std::string what);
 
     // fraction in [0, 1] of the work done; note is appended, e.g. "t = 1.20 s". Cheap to call often.
     void update(double fraction, const std::string& note = {});
 
     // The same for work before that, whose end is not known; nothing is told but the note.
     void prepare(const std::string& note);
-    // That work is over, and so much of the other done: the remaining time is told from what is done from now
-    // on.
+    // The work begins only now, with the fraction `done` of it done before, say in another process: the
+    // remaining time is told from what is done from now on.
     void begin(double done);
 
     // Ends the terminal's line. Called by the destructor too.
@@ -44,7 +43,7 @@ private:
     void draw(const std::string& text);
 
     std::string what_;
-    double done_;
+    double done_ = 0.0;  // when it began
     Clock::time_point start_;
     ProgressTold told_;
     bool terminal_;

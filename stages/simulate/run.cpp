@@ -46,7 +46,7 @@ Run<D, Real>::Run(const StageContext& context, mpm::Simulation<D, Real>& simulat
       log_(log),
       rows_(scene::row_interval(context.scene), earlier.rows),
       frames_(simulate_.snapshot_interval, earlier.frames),
-      progress_("simulate", s_.time / simulate_.end_time) {}
+      progress_("simulate") {}
 
 template <int D, class Real>
 bool Run<D, Real>::to_end() {
@@ -55,7 +55,7 @@ bool Run<D, Real>::to_end() {
     settle(wish);
     bool began = false;
     if (rows_.past() == 0) {
-        records_.append_row(records_.read(s_));
+        records_.append_row(read());
         rows_.pass();
     }
     for (;;) {

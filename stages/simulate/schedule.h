@@ -2,6 +2,7 @@
 // between the steps around its time, a frame is the first whole step at or after it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace tidewater {
@@ -19,9 +20,11 @@ public:
     void pass() { ++past_; }
     // Whether one or more have come up by `time`; they are past then.
     bool due(double time) {
-        const long before = past_;
+        if (time < next()) return false;
+        // Nearly there at once: a step may pass any number of times.
+        past_ = std::max(past_ + 1, static_cast<long>(time / interval_) - 1);
         while (next() <= time) ++past_;
-        return past_ > before;
+        return true;
     }
 
 private:
